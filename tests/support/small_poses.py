@@ -17,7 +17,6 @@ from mechc.source import Source, Span
 from mechc.units import ANGLE, LENGTH
 
 HERE = Span(0, 1)
-QUARTER = Angle.constant(90)
 ALONG = model.Absolute(ZERO, HERE)
 
 LENGTHS = {"a": 0.3, "b": 0.2, "r": 0.04, "l": 0.11, "c": 0.05}

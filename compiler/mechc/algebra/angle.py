@@ -115,6 +115,9 @@ def _symbol(name: str) -> Formula:
     return number(1) if name == RADIAN else Symbol(name)
 
 
+QUARTER, HALF_TURN = Angle.constant(90), Angle.constant(180)
+
+
 def principal(angle: Angle) -> Angle:
     """Return an angle with its constant between −180° and 180°."""
     return Angle(angle.terms, -((180 - angle.degrees) % 360 - 180))

@@ -23,7 +23,7 @@ from ..formula.tree import (
     Sum,
     Symbol,
 )
-from .angle import RADIAN, Angle, rational
+from .angle import HALF_TURN, RADIAN, Angle, rational
 from .factors import ConstantSymbol, Opaque
 from .modular import PARTS
 from .product import Product as Factored
@@ -50,7 +50,7 @@ def _linear(formula: Formula) -> Angle | None:
         case Number(value):
             return Angle(((RADIAN, rational(value)),)) if value else Angle()
         case Pi():
-            return Angle.constant(180)
+            return HALF_TURN
         case Symbol(name):
             return Angle.of(name)
         case Sum(terms):

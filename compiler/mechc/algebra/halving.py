@@ -11,7 +11,7 @@ from zlib import crc32
 
 from ..formula.walk import symbols
 from . import factoring, laurent
-from .angle import Angle
+from .angle import QUARTER, Angle
 from .factors import Trig
 from .product import Product, Sum
 from .tolerances import ROUNDED_SUM
@@ -96,7 +96,7 @@ def _parts(trig: Trig) -> Iterator[Trig]:
     if not trig.angle.terms:
         return
     yield trig
-    angle = trig.angle + (Angle.constant(90) if trig.function == "cos" else Angle())
+    angle = trig.angle + (QUARTER if trig.function == "cos" else Angle())
     half = angle.half()
     if all(c.denominator <= FINEST_PART for _, c in half.terms):
         for part in (*sine(half).factors, *cosine(half).factors):

@@ -1,6 +1,7 @@
 """Sines and cosines of multiples of one angle: cancelled by one another, and joined.
 
 >>> from ..formula.to_text import text
+>>> from .angle import Angle
 >>> a = Angle.of("a")
 >>> text(without_parts(cosine(a * 3) / cosine(a)).formula())
 '2*cos(2*a) - 1'
@@ -14,7 +15,7 @@ from fractions import Fraction
 from ..named import NamedTuple
 from ..work import spend
 from . import factoring
-from .angle import Angle
+from .angle import QUARTER
 from .factors import Trig
 from .product import ONE, Product
 from .trigonometry import cosine, sine
@@ -71,7 +72,7 @@ def _ratio(whole: Trig, part: Trig) -> Product | None:
     n = Fraction(whole.angle.terms[0][1]) / part.angle.terms[0][1]
     if n not in _DOUBLINGS and n != 3:
         return None
-    angle = part.angle if part.function == "sin" else part.angle + Angle.constant(90)
+    angle = part.angle if part.function == "sin" else part.angle + QUARTER
     multiple, below = sine(angle * int(n)), sine(angle)
     if whole not in multiple.factors:
         return None

@@ -14,12 +14,10 @@ from itertools import combinations
 from ..formula.operations import count_operations
 from ..named import NamedTuple
 from . import factoring
-from .angle import Angle
+from .angle import QUARTER, Angle
 from .factors import Trig
 from .product import Product, Sum
 from .trigonometry import cosine, sine
-
-QUARTER = Angle.constant(90)
 
 MOST_PAIRED_TERMS = 24
 """Sums of more terms are left as they are."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.factors import Opaque
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
@@ -18,7 +18,6 @@ from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector, components, reverse
 from .equilibrium import EquilibriumSum, LoadTerms
 
-QUARTER, HALF_TURN = Angle.constant(90), Angle.constant(180)
 X, Y = Angle(), QUARTER
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import ONE, Product
 from ..algebra.trigonometry import cosine
 from ..frozen import replace
@@ -10,7 +10,7 @@ from ..kinematics.joint_refs import held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Reaction
 from ..model.parts.targets import ResultTarget
 from ..pose.pose import Arm, Pose, Vector
-from .acts import QUARTER, Act, FreeBody, X, Y, part_along, summed, unit
+from .acts import Act, FreeBody, X, Y, part_along, summed, unit
 from .bodies import Cut
 from .equilibrium import EquilibriumSum
 

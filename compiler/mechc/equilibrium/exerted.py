@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from itertools import chain, pairwise
 from typing import assert_never
 
-from ..algebra.angle import Angle, rational
+from ..algebra.angle import HALF_TURN, QUARTER, Angle, rational
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
@@ -28,7 +28,7 @@ from ..named import NamedTuple
 from ..pose.pose import Arm, PointContact, Vector, gathered
 from ..power.loads import owners
 from ..power.numbers import pose_values
-from .acts import HALF_TURN, QUARTER, Act, Cutting, X, Y, unit
+from .acts import Act, Cutting, X, Y, unit
 from .equilibrium import JointForce
 
 ActOnBody = tuple[str, Act]

@@ -7,7 +7,7 @@ guides and faces has friction, from what presses them.
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
@@ -15,7 +15,6 @@ from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Sum, Symbol, negative, total
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..kinematics.forms import QUARTER
 from ..kinematics.joint_refs import JointRef, members
 from ..model.mechanism import ForceAtJoint, Reaction
 from ..model.result import Definition

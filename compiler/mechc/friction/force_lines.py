@@ -6,13 +6,13 @@ along the normal turned by the angle of friction. Neither depends on how large t
 
 from collections.abc import Iterator
 
-from ..algebra.angle import Angle
+from ..algebra.angle import HALF_TURN, Angle
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
 from ..model.mechanism import Link
 from ..pose.pose import PointContact
 from . import surfaces
-from .free_bodies import HALF_TURN, Bodies, BodyForce, under
+from .free_bodies import Bodies, BodyForce, under
 from .notes import Notes
 from .pairs import radii, reduced
 from .signs import SignSymbols

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 from typing import Literal
 
-from ..algebra.angle import Angle
+from ..algebra.angle import HALF_TURN, Angle
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
@@ -21,8 +21,6 @@ from ..power.reactions import Reactions
 from .pairs import GivenForces, LoadedPair
 
 BodyKind = Literal["lever", "slider", "pin"]
-
-HALF_TURN = Angle.constant(180)
 
 
 Arms = Mapping[str, Vector]

@@ -3,10 +3,9 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import ONE, Product
 from ..formula.tree import Call, Formula, Symbol, number, product, total
-from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import ForceAtJoint, Reaction
 from ..model.result import Definition

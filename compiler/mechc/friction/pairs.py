@@ -7,12 +7,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import assert_never
 
+from ..algebra.angle import QUARTER
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI, Formula, product
 from ..frozen import field, frozen
 from ..kinematics import contacts
-from ..kinematics.forms import QUARTER, combined, projection, relative_speed, scaled, spin, subtract
+from ..kinematics.forms import combined, projection, relative_speed, scaled, spin, subtract
 from ..kinematics.graph import Graph, LinearForm
 from ..kinematics.joint_refs import JointRef, contact_at, members
 from ..kinematics.plan import Plan, SpeedFactors

@@ -1,5 +1,6 @@
 """The friction between free bodies: at the ends of rods, on pivots, on faces and along guides."""
 
+from ..algebra.angle import HALF_TURN
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
 from ..kinematics.joint_refs import JointRef, held_end
@@ -7,7 +8,7 @@ from ..model.mechanism import Link
 from ..named import NamedTuple
 from ..pose.pose import PointContact
 from ..power.definitions import bound_names
-from .free_bodies import HALF_TURN, Bodies, EquationsCoupled
+from .free_bodies import Bodies, EquationsCoupled
 from .pairs import LoadedPair
 
 

@@ -8,7 +8,7 @@ relation.
 
 from collections.abc import Mapping, Sequence
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import ONE
 from ..algebra.trigonometry import sine
 from ..model.mechanism import Link, Mechanism, Pivot, Slider
@@ -16,7 +16,7 @@ from ..pose.pose import Pose, Vector
 from ..source import Span
 from .contacts import relations, spinning
 from .draft import Draft
-from .forms import QUARTER, projection, subtract, turned
+from .forms import projection, subtract, turned
 from .graph import Flow, Graph, LinearForm, Rule, SpeedKind, Velocity
 
 

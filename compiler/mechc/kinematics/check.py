@@ -3,11 +3,12 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
+from ..algebra.angle import QUARTER
 from ..algebra.modular import ModularPoint
 from ..algebra.product import ONE, ZERO, Product
 from ..formula.walk import symbols
 from ..pose.check import known_names
-from .forms import QUARTER, combined, projection, subtract
+from .forms import combined, projection, subtract
 from .graph import LinearForm
 from .plan import Plan
 

@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import ONE
 from ..algebra.trigonometry import sine
 from ..model.mechanism import Link
 from ..pose.pose import Pose
 from ..source import Span
-from .forms import QUARTER, projection, subtract
+from .forms import projection, subtract
 from .graph import Flow, Graph, LinearForm, Relation, Rule, SpeedKind, UnknownSpeed, Velocity
 
 MOST_VELOCITY_PARTS = 3

@@ -3,15 +3,13 @@
 from collections.abc import Iterable, Mapping
 from typing import assert_never
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..model.mechanism import Force, ForcePair, Load, Torque
 from ..pose.pose import PointContact, Pose, Vector
 from .graph import Flow, Graph, LinearForm, Velocity
-
-QUARTER = Angle.constant(90)
 
 
 def turned(vector: Vector, spin: int) -> Velocity:

@@ -13,7 +13,7 @@ moves along it only.
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import assert_never
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import Product
 from ..diagnostics import MechcError, Report
 from ..frozen import frozen, replace
@@ -32,7 +32,7 @@ from ..pose.pose import Pose
 from ..source import Source, Span
 from .carriers import graph_of
 from .contacts import slipping
-from .forms import QUARTER, combined, projection, relative_speed, speed_of_load, spin, subtract
+from .forms import combined, projection, relative_speed, speed_of_load, spin, subtract
 from .graph import Graph, LinearForm, Relation, Rule
 from .joint_refs import JointRef, contact_at
 from .plan import Plan, SpeedFactors

@@ -6,7 +6,7 @@ gives is put in.
 
 from collections.abc import Iterator, Mapping
 
-from ..algebra.angle import Angle, principal
+from ..algebra.angle import HALF_TURN, Angle, principal
 from ..algebra.from_formula import to_angle, to_product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
@@ -87,7 +87,7 @@ def _direction_or_length(form: ReservedName, vector: Vector, vectors: Vectors) -
         vector = vectors.path(*form.points) or ()
     ((length, angle),) = vector
     if length.coefficient < 0:
-        length, angle = -length, angle + Angle.constant(180)
+        length, angle = -length, angle + HALF_TURN
     return principal(angle).formula() if form.prefix == "phi" else length.formula()
 
 

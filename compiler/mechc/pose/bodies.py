@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import Product
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
@@ -75,7 +75,7 @@ def contacts(
     for contact in mechanism.each(Contact):
         point, tail = contact.point, contact.tail
         normal = find(contact.normal, f"theta_{point}", f"the contact at {point}")
-        face = normal - Angle.constant(90)
+        face = normal - QUARTER
         reach = () if contact.link in slides else _reach(tail, point, face, vectors)
         yield PointContact("contact", point, contact.link, tail, reach, normal, contact.span)
 

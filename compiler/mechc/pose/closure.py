@@ -8,7 +8,7 @@ that does not ties symbols which were given as independent.
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.factors import ConstantSymbol, Factor, Length, Trig
 from ..algebra.modular import ModularPoint
 from ..algebra.product import Product, Sum
@@ -196,4 +196,4 @@ def _factor_names(factor: Factor) -> Iterator[str]:
 
 def across(direction: Angle) -> Angle:
     """Return the normal of a direction."""
-    return direction + Angle.constant(90)
+    return direction + QUARTER

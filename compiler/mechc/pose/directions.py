@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from ..algebra.angle import Angle
+from ..algebra.angle import HALF_TURN, Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..model.mechanism import (
@@ -20,7 +20,6 @@ from ..source import Span
 from .terms import AlgebraicTerms
 
 PointPair = tuple[str, str]
-HALF_TURN = Angle.constant(180)
 
 
 class Directions:

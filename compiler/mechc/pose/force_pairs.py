@@ -2,7 +2,7 @@
 
 import math
 
-from ..algebra.angle import Angle
+from ..algebra.angle import HALF_TURN, QUARTER, Angle
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import sine
@@ -16,8 +16,6 @@ from .samples import is_behind, poses_nearby
 from .terms import AlgebraicTerms
 from .vector_graph import mentioned
 from .vectors import Vectors
-
-QUARTER = Angle.constant(90)
 
 
 class Pairing(NamedTuple):
@@ -72,7 +70,7 @@ def _along(thrust: ForcePair, arm: Arm, pairing: Pairing) -> Angle:
     poses = poses_nearby(pairing.mechanism, pairing.terms.definitions)
     behind = is_behind(arm.length, poses)
     _define_length(thrust, -arm.length if behind else arm.length, pairing)
-    return arm.angle + Angle.constant(180) if behind else arm.angle
+    return arm.angle + HALF_TURN if behind else arm.angle
 
 
 def _define_length(thrust: ForcePair, length: Product, pairing: Pairing) -> None:
@@ -104,7 +102,7 @@ def _across(thrust: ForcePair, pairing: Pairing, axis: Angle) -> Angle:
         _define_length(thrust, away.scaled(2), pairing)
         return axis + QUARTER
     _define_length(thrust, away.scaled(-2), pairing)
-    return axis + QUARTER + Angle.constant(180)
+    return axis + QUARTER + HALF_TURN
 
 
 def _is_left(vector: Vector, axis: Angle, pairing: Pairing) -> bool:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Set
 from functools import cache, partial
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..formula.walk import symbols
@@ -206,7 +206,7 @@ def _check_loops(pose: Pose, read: _PoseReading, unfound: Set[str]) -> None:
 
 def _loops(vectors: Vectors) -> list[ClosureCondition]:
     """Return the condition of every loop: it closes in any direction."""
-    everywhere = (Angle(), Angle.constant(90))
+    everywhere = (Angle(), QUARTER)
     return [
         ClosureCondition(
             chained(p or "origin" for p in loop.points), loop.arms, everywhere, loop.span

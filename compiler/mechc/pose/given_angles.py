@@ -7,7 +7,7 @@ is written for a reader has the angle that two of the given lines make.
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache, partial
 
-from ..algebra.angle import Angle, Rational
+from ..algebra.angle import QUARTER, Angle, Rational
 from ..algebra.from_formula import to_angle
 from ..formula.differences import Quarter, as_cofunction, plus_first, rewritten
 from ..formula.tree import Formula, Implicit, System
@@ -165,7 +165,7 @@ def given_lines(pose: Pose) -> Quarter | None:
     lines = {Angle(), *arms}
     known = {_within(line, 180) for line in lines}
     for angle in others:
-        if _within(angle + Angle.constant(90), 180) not in known:
+        if _within(angle + QUARTER, 180) not in known:
             lines.add(angle)
             known.add(_within(angle, 180))
     lines = {angle for angle in lines if angle.terms or angle.degrees % 180 != 90}

@@ -10,7 +10,7 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import Literal
 
-from ..algebra.angle import Angle
+from ..algebra.angle import HALF_TURN, Angle
 from ..algebra.product import Product
 from ..algebra.sums import add, put
 from ..algebra.trigonometry import cosine, sine
@@ -245,7 +245,7 @@ class Pose:
 
 def reverse(vector: Vector) -> Vector:
     """Return the vector from head to tail: the same lengths, directions turned round."""
-    return tuple(Arm(arm.length, arm.angle + Angle.constant(180)) for arm in vector)
+    return tuple(Arm(arm.length, arm.angle + HALF_TURN) for arm in vector)
 
 
 def turned_by(vector: Vector, values: Mapping[str, Angle]) -> Vector:
@@ -277,7 +277,7 @@ def halved(vector: Vector) -> Arm | None:
         return None
     (length, one), (other_length, other) = vector
     if length == -other_length:
-        other += Angle.constant(180)
+        other += HALF_TURN
     elif length != other_length:
         return None
     half = Fraction(1, 2)
@@ -287,7 +287,7 @@ def halved(vector: Vector) -> Arm | None:
 def _positive(arm: Arm) -> Arm:
     if arm.length.coefficient > 0:
         return arm
-    return Arm(-arm.length, arm.angle + Angle.constant(180))
+    return Arm(-arm.length, arm.angle + HALF_TURN)
 
 
 def _wrapped(angle: Angle) -> Angle:
@@ -295,7 +295,7 @@ def _wrapped(angle: Angle) -> Angle:
 
 
 def _turned_back(angle: Angle, lines: Collection[Angle]) -> Angle | None:
-    opposite = _wrapped(angle + Angle.constant(180))
+    opposite = _wrapped(angle + HALF_TURN)
     return opposite if opposite in lines else None
 
 

@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Literal
 
-from ..algebra.angle import Angle
+from ..algebra.angle import HALF_TURN, QUARTER, Angle
 from ..algebra.intervals import IntervalBox, sign
 from ..algebra.product import Product
 from ..formula.tree import ZERO
@@ -125,7 +125,7 @@ class Vectors:
         if arm is None or sense is None:
             return None
         self.ahead.append(arm.length.scaled(sense))
-        return arm if sense > 0 else Arm(-arm.length, arm.angle + Angle.constant(180))
+        return arm if sense > 0 else Arm(-arm.length, arm.angle + HALF_TURN)
 
     def is_open(self, vector: Vector) -> bool:
         """Return whether a vector rests on a length that is not given."""
@@ -163,7 +163,7 @@ class Vectors:
             case Offset(tail, head, x, y, span):
                 arms = (
                     Arm(self._terms.length(x), Angle()),
-                    Arm(self._terms.length(y), Angle.constant(90)),
+                    Arm(self._terms.length(y), QUARTER),
                 )
                 self._connect(tail, head, tuple(a for a in arms if a.length), span)
                 if all(a.length for a in arms) and self._directions.of(tail, head) is not None:

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from ..algebra.angle import Angle
+from ..algebra.angle import HALF_TURN, QUARTER, Angle
 from ..algebra.factors import Opaque
 from ..algebra.product import ONE, Product
 from ..algebra.product import ZERO as NONE
@@ -12,7 +12,6 @@ from ..algebra.trigonometry import cosine
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Symbol, is_call, product, total
 from ..formula.walk import walk
-from ..kinematics.forms import QUARTER
 from ..kinematics.joint_refs import JointRef, held_end
 from ..kinematics.plan import Plan
 from ..model.mechanism import Axial, ComponentPart, ForceAtJoint, Mechanism, Normal, Reaction
@@ -23,8 +22,6 @@ from .linear_forms import Amounts, common, linear_form
 from .magnitudes import length, magnitude, root
 from .numbers import pose_values
 from .reactions import Reactions, Transmitted
-
-HALF_TURN = Angle.constant(180)
 
 SQUARES = 1
 """By how much a root of two squares is longer to read than the one operation that it counts for."""

@@ -6,13 +6,12 @@ and do no work while they are held.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from ..algebra.angle import Angle
+from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..formula.tree import ZERO
 from ..frozen import frozen
-from ..kinematics.forms import QUARTER
 from ..kinematics.joint_refs import JointRef, contact_at, members
 from ..kinematics.plan import Plan
 from ..kinematics.release import ReleasedLinkage, released_linkage

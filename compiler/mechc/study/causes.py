@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
+from ..algebra.angle import QUARTER
 from ..algebra.factors import Factor
 from ..algebra.orders import AngleRoot, order
 from ..algebra.product import Product
 from ..algebra.sums import canonical
 from ..formula.walk import symbols
-from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force
 from ..model.parts.loads import SpeedAgainst

@@ -13,7 +13,7 @@ Needle-like Triangle, 2014), which has no cancellation where the triangle is nea
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from ...algebra.angle import Angle, principal
+from ...algebra.angle import HALF_TURN, QUARTER, Angle, principal
 from ...algebra.factors import Length
 from ...algebra.product import Product
 from ...algebra.sums import add
@@ -23,10 +23,8 @@ from ...formula.tree import Call, Formula, negative, product, total
 from ...frozen import replace
 from ..pose import Arm, Limit, PoseDefinition, gathered
 from ..vector_graph import loop_name, mentioned
-from .dyad_sides import HALF_TURN, DyadSides, along, heron
+from .dyad_sides import DyadSides, along, heron
 from .dyads import Closure, Dyad, DyadLoop, Reaching, Turning
-
-QUARTER = Angle.constant(90)
 
 
 def dyad(loop: DyadLoop, sides: DyadSides) -> Dyad | None:

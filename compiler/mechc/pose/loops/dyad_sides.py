@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 
-from ...algebra.angle import Angle
+from ...algebra.angle import HALF_TURN, Angle
 from ...algebra.from_formula import to_angle
 from ...algebra.product import Product
 from ...algebra.sums import add
@@ -14,8 +14,6 @@ from ..pose import Arm, PoseDefinition, Vector, components, gathered, halved
 from ..samples import Values, is_behind
 from ..vector_graph import NameSet, known_span, mentioned
 from .dyads import DyadLoop
-
-HALF_TURN = Angle.constant(180)
 
 Namer = Callable[[str], str]
 """Makes a name that nothing else has."""

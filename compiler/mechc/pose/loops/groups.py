@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from random import Random
 
-from ...algebra.angle import Angle
+from ...algebra.angle import QUARTER, Angle
 from ...algebra.blocks import blocks, match
 from ...algebra.factors import Length
 from ...algebra.product import Product
@@ -292,7 +292,7 @@ def _slope(arms: Vector, name: str) -> Vector:
     for length, angle in arms:
         sense = dict(angle.terms).get(name, 0)
         if sense:
-            turned.append(Arm(length.scaled(sense), angle + Angle.constant(90)))
+            turned.append(Arm(length.scaled(sense), angle + QUARTER))
         if Length(name) in length.factors:
             turned.append(Arm(length / Product.symbol(name), angle))
     return tuple(turned)

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from types import MappingProxyType
 
-from ...algebra.angle import Angle, rational
+from ...algebra.angle import QUARTER, Angle, rational
 from ...algebra.derivative import derivative
 from ...algebra.determinant import determinant, with_column
 from ...algebra.factors import Length
@@ -194,7 +194,7 @@ def rate(vector: Vector, rates: KnownRates) -> Vector:
     arms: list[Arm] = []
     for length, angle in vector:
         turning = add(rates[n].scaled(rational(c)) for n, c in angle.terms if n in rates)
-        arms.append(Arm(length * turning, angle + Angle.constant(90)))
+        arms.append(Arm(length * turning, angle + QUARTER))
         names = mentioned((Arm(length, Angle()),)) & rates.keys()
         arms.append(Arm(add(derivative(length, n) * rates[n] for n in sorted(names)), angle))
     return gathered(arm for arm in arms if arm.length)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence, Set
 from itertools import groupby
 
-from ...algebra.angle import Angle
+from ...algebra.angle import HALF_TURN
 from ...algebra.product import Product
 from ...algebra.sums import add, canonical
 from ...algebra.trigonometry import cosine, sine
@@ -19,8 +19,6 @@ from ..kinds import SentenceKind
 from ..sentences.order import positive_first
 from ..steps import Equation, Explanation, Paragraph
 from .notation import direction_formula
-
-HALF_TURN = Angle.constant(180)
 
 _BONDS = {
     "pin": SentenceKind.PIN,

@@ -8,7 +8,7 @@ the guide (Alt 1932). Forces pass well near 90° and not at all at 0 and 180°.
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
-from ...algebra.angle import Angle
+from ...algebra.angle import QUARTER, Angle
 from ...model.mechanism import Link
 from ...named import NamedTuple
 from ...pose.pose import Pose
@@ -45,7 +45,7 @@ def transmissions(pose: Pose) -> Iterator[TransmissionAngle]:
                 continue
             yield from _to_links(pose, rod, pin, far, along)
             if pin in pose.guides:
-                across = pose.guides[pin] + Angle.constant(90)
+                across = pose.guides[pin] + QUARTER
                 yield TransmissionAngle(pin, along - across, rod.name, "")
 
 
