@@ -212,7 +212,9 @@ def _to_pitch_point(pair: WheelPair, cut: Cutting) -> Angle | None:
         is_ahead = _is_positive(length * add((first, -second)), cut)
     else:
         is_ahead = _is_positive(length, cut) is not False
-    return None if is_ahead is None else along if is_ahead else along + HALF_TURN
+    if is_ahead is None:
+        return None
+    return along if is_ahead else along + HALF_TURN
 
 
 def _is_positive(size: Product, cut: Cutting) -> bool | None:

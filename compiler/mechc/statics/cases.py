@@ -60,8 +60,7 @@ class _KnownLoads(NamedTuple):
     """The loads of a mechanism, in its order, and what is known of them before a result is asked.
 
     ``tied`` are a formula of others, ``determined`` are those and the ones that a ``let`` gives;
-    ``sizes`` are what somebody gave. ``has_friction`` is whether a joint
-    has any.
+    ``sizes`` are what somebody gave. ``has_friction`` is whether a joint has any.
     """
 
     names: tuple[str, ...]

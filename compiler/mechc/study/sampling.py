@@ -63,11 +63,11 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     centres = _centres(moving, even)
     step = even[1] - low
     ends = (x for x, out in ((low, -step), (high, step)) if _is_end(moving, x, out))
-    beside = [c + away for c in (*ends, *centres) for away in _near(moving, step)]
-    beside += [low + step / 2, high - step / 2]
+    near = [c + away for c in (*ends, *centres) for away in _near(moving, step)]
+    near += [low + step / 2, high - step / 2]  # a kink may lie in the first cell, or the last
     solved = chain.from_iterable(_solved_beside(moving, c, step) for c in centres)
     chosen = even[::SELDOM] if moving.is_slow else even
-    grid = sorted({x for x in (*chosen, *beside, *solved, *also) if low <= x <= high})
+    grid = sorted({x for x in (*chosen, *near, *solved, *also) if low <= x <= high})
     far = nearest(high - low) / 2
     jumps = [x for x in _in_cells(_jumps, moving, grid) if all(abs(x - c) > far for c in centres)]
     unknown = _alone(moving, _with(grid, jumps))
