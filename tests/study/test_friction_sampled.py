@@ -87,6 +87,37 @@ def test_between_places_where_nothing_moves_something_may():
     assert [s.state for s in held.stretches] == ["locked", "locked"]
 
 
+TRAMMEL = """
+param a = 60 mm
+param phi = 90 deg
+drive phi from 60 deg to 180 deg
+pivot O at (0 mm, 0 mm)
+link OA
+link BAC
+OA = a @ phi
+AB = a
+AC = 2*a @ BA
+slider B along y through O
+assembly B forward
+friction pins 0.1 diameter 8 mm
+force F at C along 45 deg
+torque M on OA
+find k = M/F
+"""
+
+
+def test_it_is_looked_at_beside_an_end_at_which_nothing_is_known():
+    """At 180 degrees two ways go on, and k is finite; k_hold grows without end up to 179.24."""
+    compilation = Compilation(Source("trammel.mech", TRAMMEL))
+    (held,) = (r for r in compilation.results if r.name == "k_hold")
+    (reach,) = held.locking.reaches
+    ratios = Ratios(compilation, held)
+    inside, beyond = reach.stretches[-1].within
+    assert [s.state for s in reach.stretches] == ["locked", "jammed"]
+    assert beyond == pytest.approx(math.pi, abs=1e-6)
+    assert ratios.states({"phi": [inside - 1e-6, inside + 1e-6, 3.14]}).tolist() == [0, 4, 4]
+
+
 @pytest.mark.slow
 def test_up_to_a_jam_it_moves_with_a_force_that_grows_beyond_all():
     """k_f grows from 0.15 at -0.3 rad to 16 at 0.39: by short steps it was said to jam there."""

@@ -136,12 +136,12 @@ def _solved_beside(moving: Moving, centre: float, step: float) -> Iterator[float
 
 
 def _alone(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
-    """Yield values of a motion at which alone nothing is found.
+    """Yield values of a motion at which alone nothing is found, at an end of a grid, too.
 
-    There a slip may be infinite though the ratio without friction is not, and on both sides
-    of it something may stand.
+    There a slip may be infinite though the ratio without friction is not, and beside it
+    something may stand.
     """
-    for a, x, b in _triples(grid):
+    for a, x, b in _triples([grid[0], *grid, grid[-1]]):
         before, here, after = (moving.at(v).state for v in (a, x, b))
         if here is None and (before or after) and moving.driven(x) is not None:
             yield x
