@@ -344,3 +344,38 @@ find R_O
         result = balanced.results[name]
         assert result.undetermined
         assert result.default is None
+
+
+LEVER_OF_TWO_FORCES = """
+mechanism lever
+param phi = 180 deg in 0 deg .. 180 deg
+pivot O
+link OA
+OA = 100 mm @ phi
+force Q at A along x
+force P at A along phi
+torque M on OA
+find k = M/Q
+find R_O
+"""
+
+
+def test_a_force_that_is_zero_at_a_pose_has_no_direction_there():
+    """R_O is −Q·i − P·e: nothing but rounding where e is −i and P is Q, and −2Q·i where it is i."""
+    lever = mechc.loads(LEVER_OF_TWO_FORCES)
+    here = lever.evaluate(Q=2000.0, P=2000.0)
+    assert math.isnan(here["R_O_direction"])
+    assert abs(here["R_O_x"]) < ENOUGH
+    angles = lever.evaluate(phi=[0.0, math.pi, math.pi / 2], Q=2.0, P=2.0)["R_O_direction"]
+    assert np.abs(angles[[0, 2]]) == pytest.approx([math.pi, 0.75 * math.pi])
+    assert math.isnan(angles[1])
+    assert not math.isnan(lever.evaluate(phi=math.pi - 1e-9, Q=2.0, P=2.0)["R_O_direction"])
+    header = "".join(str(part) for part in lever.emit("python"))
+    assert "the force is more than what rounding leaves of one that is zero" in header
+
+
+def test_a_force_that_is_zero_in_every_pose_has_no_direction_in_code():
+    source = LEVER_OF_TWO_FORCES.replace("force Q at A along x", "torque Q on OA")
+    lever = mechc.loads(source.replace("force P at A along phi", ""))
+    assert lever.evaluate()["R_O"] == 0
+    assert math.isnan(lever.evaluate()["R_O_direction"])

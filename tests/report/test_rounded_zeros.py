@@ -270,3 +270,28 @@ def test_a_load_with_friction_that_is_rounding_as_that_without_it_is_zero():
     for name in ("k_f", "k_hold"):
         assert results[name].default == 0
         assert not results[name].fails_here
+
+
+NO_FORCE = """
+mechanism lever
+pivot O
+link OA
+OA = 100 mm @ 0 deg
+torque M on OA
+torque T on OA
+find k = M/T
+find R_O
+"""
+
+
+@pytest.mark.parametrize("page", ["latex", "check"])
+def test_the_direction_of_no_force_is_not_listed(page):
+    compilation = compile_source(Source("m.mech", NO_FORCE))
+    if page == "check":
+        shown = "\n".join(report(compilation, False))
+        assert "  R_O = 0\n" in shown
+    else:
+        shown = emit(compilation, registry.load("latex"), Options(stem="m"))[0].text
+        assert "R_O&=0" in shown
+    assert "atan2" not in shown
+    assert "direction" not in shown.replace("in the direction", "")

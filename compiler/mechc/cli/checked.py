@@ -33,7 +33,7 @@ from ..report.definitions import (
     without_minus,
 )
 from ..report.note import NoteLine, own_lines
-from ..report.sections import ShownNames, in_short
+from ..report.sections import ShownNames, in_short, is_idle_direction
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
 from ..report.text import note, overview
@@ -132,7 +132,7 @@ def _of_results(compilation: Compilation, spell: TextSpeller) -> Iterator[str]:
         yield from note.in_brief(compilation.mechanism, compilation.results, spell)
         yield from _of_findings(compilation, spell)
         return
-    results = _with_directions(compilation)
+    results = [r for r in _with_directions(compilation) if not is_idle_direction(r)]
     known = letters(compilation.mechanism, results)
     before: Analysis | None = None
     for result, entry in zip(results, _entries(compilation, results, spell), strict=True):

@@ -161,7 +161,9 @@ def condition_lines(function: Function) -> list[str]:
     others = [guard for guard in function.guards if not guard.loop and not guard.balance]
     known_guards = [g for g in others if symbols(g.left) | symbols(g.right) <= known]
     lines = [*closing, *(_condition(guard) for guard in known_guards)]
-    if any(guard.balance for guard in function.guards):
+    if any(guard.direction for guard in function.guards):
+        lines.append("the force is more than what rounding leaves of one that is zero")
+    if any(guard.balance and not guard.direction for guard in function.guards):
         lines.append("some force of the drive balances the loads and all friction")
     return lines
 

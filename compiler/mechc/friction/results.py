@@ -21,6 +21,7 @@ from ..model.mechanism import (
 from ..model.parts.targets import SIGNS
 from ..model.result import Definition, DrivingLoad, FrictionResult, Result, SignCase
 from ..power.definitions import bound_sums, intermediates, open_lengths
+from ..power.joint_forces import has_direction
 from ..power.magnitudes import magnitude
 from ..power.numbers import is_nil, value_of
 from ..power.reactions import Transmitted
@@ -60,7 +61,10 @@ def result_of(
         ideal.dimension,
         named.formula,
         resting_on(problem, ideal, named.formula, (*sums, *named.where)),
-        guards=tuple(Require(c, ">", ZERO, find.span) for c in named.positive),
+        guards=(
+            *(Require(c, ">", ZERO, find.span) for c in named.positive),
+            *has_direction(named.formula, find.span),
+        ),
         elsewhere=on_demand(partial(_elsewhere, problem, find, ideal, loaded, named)),
         case=_case(problem, find, ideal, named.case or _at_any_pose(named, sums, problem), sums),
         inside=named.inside,

@@ -10,7 +10,7 @@ from ..source import Span
 from ..units import ANGLE, FORCE
 from .balance import AlgebraicResult
 from .definitions import intermediates, resting_on
-from .joint_forces import ForceFormula, called, find_force, joint_of
+from .joint_forces import ForceFormula, called, find_force, has_direction, joint_of
 from .problem import PowerProblem
 
 
@@ -47,6 +47,7 @@ def _result(problem: PowerProblem, find: Find, asked: ForceAtJoint, found: Force
         formula,
         tuple(dict.fromkeys((*before, *where, *given))),
         None if coefficients is None else {n: c.formula() for n, c in coefficients.items()},
+        guards=has_direction(formula, find.span),
     )
 
 

@@ -1,6 +1,7 @@
 """The forces at joints that are asked for: components, sizes, directions."""
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from functools import partial
 
 from ..algebra.angle import HALF_TURN, QUARTER, Angle
@@ -9,17 +10,28 @@ from ..algebra.product import ONE, Product
 from ..algebra.product import ZERO as NONE
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
+from ..formula.choices import SENSELESS
 from ..formula.operations import count_operations
-from ..formula.tree import ZERO, Call, Formula, Symbol, is_call, product, total
+from ..formula.tree import ZERO, Call, Formula, Symbol, is_call, number, product, total
 from ..formula.walk import walk
 from ..kinematics.joint_refs import JointRef, held_end
 from ..kinematics.plan import Plan
-from ..model.mechanism import Axial, ComponentPart, ForceAtJoint, Mechanism, Normal, Reaction
+from ..model.mechanism import (
+    Axial,
+    ComponentPart,
+    ForceAtJoint,
+    Mechanism,
+    Normal,
+    Reaction,
+    Require,
+    Subject,
+)
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector
+from ..source import Span
 from .balance import Release
 from .linear_forms import Amounts, common, linear_form
-from .magnitudes import length, magnitude, root
+from .magnitudes import largest_size, length, magnitude, root
 from .numbers import pose_values
 from .reactions import Reactions, Transmitted
 
@@ -186,6 +198,21 @@ def size_of_two(x: Formula, y: Formula) -> Formula:
     """
     sides = [side for side in (x, y) if side != ZERO]
     return Call("hypot" if len(sides) == 2 else "abs", (*sides,)) if sides else ZERO
+
+
+def has_direction(force: Formula, place: Span) -> tuple[Require, ...]:
+    """Return the condition under which a force has the direction ``atan2(y, x)``.
+
+    It is longer than rounding makes a force that is zero. What is no direction has none.
+    """
+    match force:
+        case Call("atan2", (y, x)):
+            largest = total([largest_size(x), largest_size(y)])
+            least = product([(number(Fraction(SENSELESS)), 1), (largest, 1)])
+            longer = size_of_two(x, y)
+            return (Require(longer, ">", least, place, Subject("force", "", "")),)
+        case _:
+            return ()
 
 
 def size_of(x: Product, y: Product, positive: Callable[[Product], Product]) -> Product:

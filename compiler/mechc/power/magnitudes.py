@@ -11,7 +11,9 @@ from ..algebra.intervals import IntervalBox, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
-from ..formula.tree import Call
+from ..formula.tree import ONE, Call, Formula, Number, Power, number, power, product, total
+from ..formula.tree import Product as Factors
+from ..formula.tree import Sum as Terms
 from ..model.boxes import allowed_box
 from ..model.mechanism import Mechanism
 from ..pose.pose import Vector
@@ -78,6 +80,29 @@ def even(value: Product) -> Product:
             case Opaque(Call("abs", (inner,))) if exponent % 2 == 0:
                 result = result * Product.of(factor, -exponent) * to_product(inner) ** exponent
     return result
+
+
+def largest_size(formula: Formula) -> Formula:
+    """Return the size of a value, were every sine 1 and all terms of sums of one sign.
+
+    >>> from ..formula.to_text import text
+    >>> from ..formula.tree import Symbol, degrees, total
+    >>> text(largest_size(total([Symbol("a"), Call("sin", (degrees(20),))])))
+    'abs(a) + 1'
+    """
+    match formula:
+        case Terms(terms):
+            return total(map(largest_size, terms))
+        case Factors(factors):
+            return product((largest_size(factor), 1) for factor in factors)
+        case Power(base, Number(exponent)) if exponent > 0:
+            return power(largest_size(base), formula.exponent)
+        case Call("sin" | "cos"):
+            return ONE
+        case Number(value):
+            return number(abs(value))
+        case _:
+            return Call("abs", (formula,))
 
 
 def length(vector: Vector) -> Product:

@@ -12,7 +12,7 @@ from ..diagnostics import power as messages
 from ..formula.evaluate import SharedEvaluation
 from ..formula.rounding import PrintedNumber, Rounding, beyond_rounding, without_value
 from ..formula.to_text import text
-from ..formula.tree import ZERO, Formula
+from ..formula.tree import ZERO, Formula, is_call
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
@@ -96,6 +96,8 @@ class DefaultNumbers:
         if number is not None and math.isnan(number) and not result.guards:
             nowhere = without_value(result.formula, result.where, rounding)
             return Looked(result, number, nowhere)
+        if number is not None and math.isnan(number) and is_call(form.formula, "atan2"):
+            return Looked(form, number, PrintedNumber(None, undetermined=True))
         return Looked(form, number, beyond_rounding(number, form.formula, form.where, rounding))
 
 

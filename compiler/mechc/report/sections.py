@@ -264,7 +264,8 @@ def _system(definition: Definition) -> System | None:
 def _found(derivation: "Derivation", mechanism: Mechanism) -> list[Analysis]:
     """Return the results but for loads that are given, if there are others."""
     given = {load.name for load in given_loads(mechanism)}
-    return [r for r in derivation.results if r.name not in given] or list(derivation.results)
+    found = [r for r in derivation.results if not is_idle_direction(r)]
+    return [r for r in found if r.name not in given] or found
 
 
 def _grouped(
@@ -310,6 +311,14 @@ def in_short(result: Analysis, results: Iterable[Analysis]) -> Analysis:
             return replace(result, formula=Call("hypot", sides))
         case _:
             return result
+
+
+def is_idle_direction(result: Analysis) -> bool:
+    """Return whether a result is the direction of a force that is zero in every pose.
+
+    There is nothing to be said of it.
+    """
+    return result.formula == Call("atan2", (ZERO, ZERO))
 
 
 def _part(result: Analysis) -> str:

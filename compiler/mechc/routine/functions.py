@@ -65,7 +65,7 @@ class AskedResult(NamedTuple):
     def guards(self, names: Mapping[str, str]) -> tuple[Guard, ...]:
         """Return the conditions with the names that definitions have."""
         own = self.result.guards
-        requires = (_guard(r, names, self.result.name if r in own else "") for r in self.requires)
+        requires = (_guard(r, names, self.result if r in own else None) for r in self.requires)
         return (*requires, *(closing_guard(loop, names) for loop in self.unseen))
 
 
@@ -104,9 +104,13 @@ def _decided(require: Require, owner: str, scope: ProgramScope, used: tuple[Inpu
     return bool(free) and free <= {i.name for i in used}
 
 
-def _guard(require: Require, names: Mapping[str, str], balance: str) -> Guard:
+def _guard(require: Require, names: Mapping[str, str], owner: Result | None) -> Guard:
+    """Return a condition, of the description or without which a result has no value."""
     left, right = (rename(side, names) for side in (require.left, require.right))
-    return Guard(left, require.operator, right, balance=balance)
+    if owner is None:
+        return Guard(left, require.operator, right)
+    is_direction = require.subject is not None and require.subject.kind == "force"
+    return Guard(left, require.operator, right, balance=owner.name, direction=is_direction)
 
 
 class ProgramOutput(NamedTuple):
@@ -187,7 +191,7 @@ def checks(scope: ProgramScope, inputs: Mapping[str, Input], names: Iterable[str
     requires = scope.mechanism.requires
     sides = [side for require in requires for side in (require.left, require.right)]
     definitions = scope.definitions("", sides)
-    guards = tuple(_guard(require, definitions.names, "") for require in requires)
+    guards = tuple(_guard(require, definitions.names, None) for require in requires)
     steps, _ = steps_to(definitions.formulas, [], guards, names)
     used = scope.free("", sides)
     taken = tuple(item for name, item in inputs.items() if name in used)

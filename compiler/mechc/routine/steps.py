@@ -152,7 +152,8 @@ class Guard:
     """A ``require``: where ``left OP right`` is false, the output is NaN.
 
     ``loop`` names the loop that does not close there, if it is that, and ``balance`` the result
-    whose loads do not balance there as its formula takes for granted.
+    whose loads do not balance there as its formula takes for granted, or, of a ``direction``, whose
+    force is zero there.
     """
 
     left: Formula
@@ -160,6 +161,7 @@ class Guard:
     right: Formula
     loop: str = ""
     balance: str = ""
+    direction: bool = False
 
 
 def sides_of(guards: Iterable[Guard]) -> Iterator[Formula]:

@@ -152,7 +152,7 @@ ELSEWHERE: JsonKind[Result] = record(
         lambda r: r.where,
     ),
     member(
-        "guards", "What must hold, or nothing balances.", list_of(CONDITION), lambda r: r.guards
+        "guards", "What must hold, or there is no value.", list_of(CONDITION), lambda r: r.guards
     ),
 )
 

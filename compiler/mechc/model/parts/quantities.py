@@ -109,16 +109,22 @@ class Taken:
     label: str = ""
 
 
+SubjectKind = Literal[
+    "first row", "last row", "row", "list", "choice", "range", "pose", "ranges", "force"
+]
+
+
 class Subject(NamedTuple):
     """Of what a condition is that nobody wrote: an end or a row of a table, a list, a choice.
 
     The formula that has no value where it fails is that of the ``let``. A ``range`` is that of a
     parameter of a used sheet, and stands at a ``place`` of its own. A condition of a used
     mechanism on what its loops give, ``pose``, concerns all that its values decide, and so do
-    ``ranges``: that a direction is as it is within the ranges given.
+    ``ranges``: that a direction is as it is within the ranges given. A ``force`` that is zero has
+    no direction.
     """
 
-    kind: Literal["first row", "last row", "row", "list", "choice", "range", "pose", "ranges"]
+    kind: SubjectKind
     name: str
     let: str
     place: Span | None = None

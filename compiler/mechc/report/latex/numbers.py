@@ -11,6 +11,7 @@ from ...units import NUMBER
 from ..by_parts import by_parts
 from ..evaluated import Evaluated
 from ..languages.locale import Locale
+from ..sections import is_idle_direction
 from ..sentences.remarks import asked
 from .display import LINE_WIDTH, DisplayLine, aligned, broken
 from .notation import LatexNotation, name
@@ -69,7 +70,8 @@ def numbers(
     found: list[str] = []
     before = ""
     for result in results:
-        if asked(result) not in shown and not is_own_value(result):
+        idle = is_own_value(result) or is_idle_direction(result)
+        if asked(result) not in shown and not idle:
             found.append(_number(result, locale, style))
         heading = locale.slope if result.where else locale.derivatives
         slopes = [*_slopes(result, locale, style)]
