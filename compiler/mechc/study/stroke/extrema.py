@@ -6,12 +6,13 @@ from itertools import product
 from typing import Literal
 
 from ...formula.jumps import BESIDE_JUMP
-from ...formula.roots import lowest, roots
+from ...formula.roots import RealFunction, lowest, roots
 from ...frozen import replace
 from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
 from ..sweep import Sweep
 from ..tolerances import BESIDE_BRANCH_POINT, BESIDE_END, CONSTANT, SAME_RATIO, SAME_VALUE
+from ..variables import spans
 from .friction import is_shown
 from .jumps import has_turns, is_on_the_stroke
 from .rounded import is_nil, is_turning, rounded
@@ -57,8 +58,10 @@ def _on_stretch(
     breaks = {s.drive: near for s in own} | {s.drive: BESIDE_JUMP * run.range for s in jumps}
     breaks |= {b.drive: near for b in branches}
     grid = run.within(stretch)
+    value = run.values(result.formula, result)
     for part in parted(_with(grid, turns) if has_turns(result) else grid, breaks):
-        yield from _on_part(run, result, stretch, singular, part)
+        for valued in with_values(part, value) if has_turns(result) else [part]:
+            yield from _on_part(run, result, stretch, singular, valued)
     for jump in (j for j in jumps if j.result == result.name and is_on_the_stroke(j, run)):
         if stretch.low < jump.drive < stretch.high:
             yield from beside_jump(jump, result, run.along, run.range)
@@ -102,6 +105,17 @@ def parted(grid: Sequence[float], breaks: Mapping[float, float]) -> Iterator[lis
     for first, last in zip(begins, ends, strict=True):
         if first < last:
             yield _part([x for x in grid if first < x < last], first, last)
+
+
+def with_values(part: Sequence[float], value: RealFunction) -> Iterator[Sequence[float]]:
+    """Yield the parts of a grid on which a function has values, each up to its ends.
+
+    Friction ends them where it jams, and a result may turn in the cell next to that.
+    """
+    for low, high in spans(part, lambda x: math.isfinite(value(x))):
+        is_whole = (low, high) == (part[0], part[-1])
+        if low < high:
+            yield part if is_whole else _part([x for x in part if low < x < high], low, high)
 
 
 def _part(inner: Sequence[float], first: float, last: float) -> list[float]:
