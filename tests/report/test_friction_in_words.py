@@ -754,3 +754,28 @@ def test_what_friction_divides_by_is_positive() -> None:
     found = compile_source(Source("cutter.mech", cutter))
     said = render(found.derivation, found.mechanism)
     assert "b_P = CB · sin(δ_AB + φ_CB − φ_AB) / sin(φ_AB − δ_AB)" in said
+
+
+LEVERS = """
+pivot O at (1 m, -2 m)
+pivot C at (0 m, 2 m)
+A at (4 m, 2 m)
+B at (0 m, 3 m)
+D at (2 m, -1 m)
+link OA
+link AB
+link CBD
+torque M on OA
+force F at D along -y
+friction pins 0.1 diameter 500 mm
+find k = F/M, R_C
+"""
+
+
+def test_a_load_has_one_name_without_friction_and_another_with_it():
+    made = compile_source(Source("levers.mech", LEVERS))
+    shown = render(made.reported, made.mechanism, unicode=False)
+    ideal, with_friction = shown.split("Force at C, with friction")
+    assert "F_f" not in ideal
+    assert "F_f is the value of F with friction." in with_friction
+    assert not re.search(r"\bF\b", with_friction.partition("with friction.")[2])

@@ -135,6 +135,8 @@ class SentenceKind(StrEnum):
     """Friction in a pin is a couple."""
     GUIDE_FRICTION = "guide friction"
     """Friction in a guide goes with the force across it."""
+    LOAD_WITH_FRICTION = "load with friction"
+    """What a load that follows from the others comes to with friction."""
     ROD_FORCES = "rod forces"
     """The names of forces in rods."""
     PART = "part"

@@ -28,16 +28,18 @@ class EarlierSteps:
         turns: Iterable[str],
         iterated: Iterable[Definition] = (),
         threads: Iterable[str] = (),
+        loads: Sequence[str] = (),
     ) -> None:
         """Begin with the angles of friction, and the forces that results find by iteration.
 
-        ``threads`` are the points at which screws have friction in their threads.
+        ``threads`` are the points at which screws have friction in their threads. The names of
+        ``loads`` are those that these have without friction.
         """
         self.turns = set(turns)
         """Names of angles by which friction turns a force, those of friction itself."""
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
-        self._found: dict[str, Formula] = dict(iterated)
+        self._found: dict[str, Formula] = {name: Symbol(name) for name in loads} | dict(iterated)
         self._sentences: set[tuple[SentenceKind, tuple[tuple[str, Formula], ...]]] = set()
         self._equations: set[tuple[Formula, Formula]] = set()
         self._stated: set[Equation] = set()
@@ -57,11 +59,11 @@ class EarlierSteps:
         found = {left.name: right for left, right in _forces(steps) if left != driving(asked)}
         found = {name: found.get(getattr(f, "name", ""), f) for name, f in found.items()}
         others = self._others(found)
-        endings = (HOLDING if asked.sense == "releasing" else "_f", f"_{result}")
-        ending = next(
+        endings = (ending(asked), f"_{result}")
+        longer = next(
             e for e in endings if all(self._found.get(n + e, found[n]) == found[n] for n in others)
         )
-        names = {name: Symbol(name + ending) for name in others}
+        names = {name: Symbol(name + longer) for name in others}
         self._found |= {names.get(n, Symbol(n)).name: formula for n, formula in found.items()}
         return [renamed(step, names) for step in steps] if names else steps
 
@@ -129,6 +131,11 @@ def renamed(step: FrictionStep, names: Mapping[str, Formula]) -> FrictionStep:
     equations = ((substitute(a, names), substitute(b, names)) for a, b in step.equations)
     defined = (d._replace(formula=substitute(d.formula, names)) for d in step.defined)
     return replace(step, equations=tuple(equations), defined=tuple(defined))
+
+
+def ending(asked: WithFriction) -> str:
+    """Return the ending of a name with friction that stands for something else without it."""
+    return HOLDING if asked.sense == "releasing" else "_f"
 
 
 def driving(asked: WithFriction) -> Symbol | None:

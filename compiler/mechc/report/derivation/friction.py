@@ -28,7 +28,7 @@ from ...study.analysis import Analysis
 from ..kinds import SentenceKind
 from ..sentences.order import geometry_first, positive_first
 from ..steps import Equation, Explanation, Paragraph
-from .earlier import EarlierSteps, driving, renamed
+from .earlier import EarlierSteps, driving, ending, renamed
 
 _LINES: Mapping[str, SentenceKind] = {
     "internal": SentenceKind.INTERNAL_TANGENT,
@@ -76,7 +76,8 @@ def of_friction(solution: FrictionSolution, results: Sequence[Analysis]) -> Iter
     iterated = (d for r in results for d in r.where if d.name in r.inside)
     joints = mechanism.friction.joints
     threads = (joint.point for joint in joints if isinstance(joint, ThreadFriction))
-    earlier = EarlierSteps(mechanism.friction.parameters, iterated, threads)
+    loads = [load.name for load in mechanism.loads]
+    earlier = EarlierSteps(mechanism.friction.parameters, iterated, threads, loads)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is not None and solved and solved[0].steps:
@@ -204,6 +205,8 @@ def _opening(
         yield from earlier.enter_sentences([_TENSIONS, _MEAN if is_mean else _SMALLER])
     if isinstance(target.of, LoadRatio):
         yield _unit(target.of, steps, result.name)
+    elif drive is None:
+        yield from earlier.enter_sentences(_loads(target, steps, pose))
 
 
 def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragraph:
@@ -216,6 +219,17 @@ def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragr
         named = {"drive": Symbol(target.of.below), "load": drive}
         return Paragraph(SentenceKind.RELEASING_BY_LOAD, formulas=named)
     return Paragraph(ways[target.sense], formulas={"drive": drive})
+
+
+def _loads(target: WithFriction, steps: Sequence[FrictionStep], pose: Pose) -> Iterator[Paragraph]:
+    """Yield what the loads are that have a name of their own with friction, and no result."""
+    met = {name for step in steps for pair in step.equations for s in pair for name in symbols(s)}
+    met -= {find.name for find in pose.mechanism.finds}
+    for load in pose.mechanism.loads:
+        whole = load.name + ending(target)
+        if whole in met:
+            formulas = {"load": Symbol(load.name), "whole": Symbol(whole)}
+            yield Paragraph(SentenceKind.LOAD_WITH_FRICTION, formulas=formulas)
 
 
 def _unit(asked: LoadRatio, steps: Sequence[FrictionStep], result: str) -> Paragraph:

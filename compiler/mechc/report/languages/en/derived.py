@@ -80,6 +80,7 @@ WORDS = {
     "pin friction": "The friction in a pin is a couple: the force on the pin times the radius "
     "{radius} of the friction circle.",
     "guide friction": "The friction of a guide is its coefficient times the normal force.",
+    "load with friction": "{whole} is the value of {load} with friction.",
     "rod forces": "{force} is the magnitude of the whole force that a rod passes on from pin to "
     "pin, whether compressive or tensile.",
     "part": "By symmetry one of the equal parts is considered.",
