@@ -1,8 +1,10 @@
 """Jumps of a function, by hand: of which size, at which place, and what is none."""
 
+import math
+
 import pytest
 
-from mechc.formula.jumps import Jump, is_steady, jumps
+from mechc.formula.jumps import Jump, is_steady, jumps, side
 from mechc.formula.roots import spaced
 
 GRID = spaced(0.0, 1.0, 40)
@@ -39,3 +41,14 @@ def test_sides_that_still_rise_are_those_of_a_pole() -> None:
     steep = Jump(0.5, 1e-11, -1.0e8, 1.0e8)
     assert not is_steady(lambda x: 1.0 / (x - 0.5), steep, 1.0)
     assert is_steady(lambda x: -1.0 if x < 0.5 else 1.0, Jump(0.5, 1e-11, -1.0, 1.0), 1.0)
+
+
+def test_a_side_is_seen_from_as_far_as_rounding_asks() -> None:
+    """Next to the jump the rounding of what is divided by next to nothing is in the fifth digit."""
+    noise = lambda x: 1e-12 * math.sin(1e9 * x) / x  # noqa: E731
+    assert side(lambda x: 2 + 3 * x + x * x + noise(x), 0.0, 1e-8) == pytest.approx(2, abs=1e-6)
+    assert side(lambda x: 2 + 3 * x + x * x, 0.0, -1e-8) == pytest.approx(2, abs=1e-14)
+
+
+def test_a_side_with_no_values_farther_away_is_seen_from_where_there_is_one() -> None:
+    assert side(lambda x: 2.0 if x < 1e-6 else math.nan, 0.0, 1e-8) == 2.0

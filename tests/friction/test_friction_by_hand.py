@@ -11,6 +11,7 @@ from mechc.algebra.product import ONE, ZERO, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.evaluate import evaluate
+from mechc.formula.rounding import Rounding
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, negative, number, product, total
 from mechc.friction import pairs
@@ -24,6 +25,7 @@ from mechc.friction.linear import LinearSolver
 from mechc.friction.naming import Endings, Meanings, OwnNames, renamed
 from mechc.friction.normal_forces import (
     Idle,
+    _vanishes,
     loaded_pairs,
     scaled,
     without_standing,
@@ -363,6 +365,21 @@ def test_a_slip_that_is_rounding_at_any_pose_is_zero():
     assert abs(number_of(once)) < 1e-12
     found = without_standing([always, once, crank], plan(pose))
     assert [bool(slip) for slip in found] == [False, True, True]
+
+
+def test_a_slip_that_vanishes_does_so_next_to_where_rounding_hides_it():
+    """sin(β - φ)/g where β is φ up to a quarter turn; it is divided by g = 1e-12 once."""
+    slip = sine(at(beta=1, phi=-1)) / Product.symbol("gap")
+
+    def pose(phi, gap):
+        rounding = Rounding({"phi": phi, "gap": gap})
+        rounding.define([("beta", Call("asin", (Call("sin", (Symbol("phi"),)),)))])
+        return rounding
+
+    usual = [pose(0.1 * i, 0.5) for i in range(1, 8)]
+    assert _vanishes(slip, [*usual, pose(0.4, 1e-12)])
+    assert not _vanishes(slip, [pose(0.4, 1e-12)] * 8)
+    assert not _vanishes(slip, [*usual, pose(3.0, 0.5)])
 
 
 # ------------------------------------------------------------------------------- signs

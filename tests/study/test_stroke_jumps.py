@@ -108,3 +108,22 @@ def test_an_efficiency_jumps_where_the_ratio_does_however_steep_it_is(tmp_path):
     jumps = [one for one in hunted.compilation.stroke(3).singular if one.kind == "jump"]
     assert {one.result for one in jumps} == {"k", "k_f", "k_f1", "k_hold", "eta_k"}
     assert [one.drive for one in jumps] == pytest.approx([jumps[0].drive] * 5, abs=1e-9)
+
+
+def test_a_telescope_passes_length_zero_without_a_turn_of_its_pin(tmp_path):
+    """It lies along its slot: the slip of one pin is zero, next to length zero but for rounding."""
+    found = Hunted(made("small with friction", 156002017), 156002017, tmp_path)
+    stroke = found.stroke
+    zero, other = of(stroke.singular, "k"), of(stroke.singular, "k_f1")
+    assert len(zero) == 1
+    assert [one.drive for one in other] == [one.drive for one in zero]
+    assert other[0].sides == pytest.approx((0.042992412, -0.041763342), abs=2e-9)
+    jammed = [(s.low, s.high) for s in of(stroke.standstills, "k_f")]
+    assert len(jammed) == 2
+    assert [jammed[0][1], jammed[1][0]] == pytest.approx([zero[0].drive] * 2)
+
+
+def test_a_turn_in_the_cell_next_to_a_jam_is_stated(tmp_path):
+    found = Hunted(made("small with friction", 156002017), 156002017, tmp_path)
+    least = [e.drive for e in of(found.stroke.extrema, "k_f")]
+    assert least == pytest.approx([-0.49306, -0.48614], abs=2e-4)

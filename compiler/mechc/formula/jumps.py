@@ -19,6 +19,9 @@ JUMP_WIDTH, BESIDE_JUMP = 1e-11, 1e-8
 What is infinite at the pole itself is rounded worse, the nearer that is.
 """
 
+FARTHER, ALIKE = (1, 10, 100, 1000, 10000), 1e-8
+"""How many times as far a side is seen as well, and the part of it by which two such agree."""
+
 
 class Jump(NamedTuple):
     """An x at which a function is finite on either side, but not the same, and its sides."""
@@ -73,7 +76,31 @@ def _narrowed(function: RealFunction, a: float, b: float, range_: float) -> Jump
         else:
             b, after = middle, value
     beside = BESIDE_JUMP * range_
-    return Jump((a + b) / 2, b - a, function(a - beside), function(b + beside))
+    return Jump((a + b) / 2, b - a, side(function, a, -beside), side(function, b, beside))
+
+
+def side(function: RealFunction, x: float, away: float) -> float:
+    """Return the limit of a function at x from one side: seen at ``x + away``, and farther there.
+
+    Each distance gives the parabola through it, twice and three times as far. Rounding makes near
+    ones false, what the function bends by makes far ones; the first that agrees with the next is
+    taken, or that which does so best.
+
+    >>> round(side(lambda x: 2 + 3 * x + 1e-12 / x, 0.0, 1e-8), 6)  # rounded worse the nearer
+    2.0
+    """
+    found = [_parabola_at_zero([function(x + n * d * away) for n in (1, 2, 3)]) for d in FARTHER]
+    if not all(map(math.isfinite, found)):
+        return function(x + away)
+    gaps = [abs(far - near) for near, far in pairwise(found)]
+    alike = (y for y, gap in zip(found, gaps, strict=False) if gap <= ALIKE * abs(y))
+    return next(alike, found[gaps.index(min(gaps))])
+
+
+def _parabola_at_zero(values: Sequence[float]) -> float:
+    """Return the value at 0 of a parabola by its values at 1, 2 and 3."""
+    one, two, three = values
+    return 3 * (one - two) + three
 
 
 def is_steady(function: RealFunction, jump: Jump, range_: float) -> bool:

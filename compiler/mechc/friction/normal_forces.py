@@ -24,7 +24,6 @@ from ..power.balance import PowerEquations, Release, Term
 from ..power.loads import occurrences
 from ..power.numbers import default_values
 from ..power.reactions import Reactions, amounts_of
-from ..power.tolerances import VANISHED
 from ..units import ANGLE
 from .pairs import Component, FrictionPair, GivenForces, LoadedPair
 from .tolerances import PRECISE
@@ -231,7 +230,7 @@ def without_standing(slips: Sequence[Product], plan: Plan) -> list[Product]:
 def _is_small(slip: Product, values: Mapping[str, float]) -> bool:
     """Return whether a slip has no sign at the default pose."""
     try:
-        return abs(slip.evaluate(values)) <= VANISHED
+        return abs(slip.evaluate(values)) <= PRECISE
     except (KeyError, ZeroDivisionError, ValueError, OverflowError):
         return False
 
@@ -253,7 +252,10 @@ def _poses(plan: Plan) -> Iterator[Rounding]:
 
 
 def _vanishes(slip: Product, poses: Sequence[Rounding]) -> bool:
-    """Return whether a slip is rounding at the default pose and at enough others."""
+    """Return whether a slip is rounding at the default pose and at enough others.
+
+    Next to a pose where what it is divided by is zero it is rounded too much to tell.
+    """
     formula, zeros = slip.formula(), 0
     for pose in poses:
         try:
@@ -262,7 +264,7 @@ def _vanishes(slip: Product, poses: Sequence[Rounding]) -> bool:
             continue
         if math.isnan(found.value):
             continue
-        if not (found.is_zero and found.error <= PRECISE):
+        if not found.is_zero:
             return False
-        zeros += 1
+        zeros += found.error <= PRECISE
     return zeros > NEARBY_POSES

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from itertools import pairwise, product
 
-from ...formula.jumps import BESIDE_JUMP, JUMP_WIDTH, Jump, is_steady, jumps
+from ...formula.jumps import BESIDE_JUMP, JUMP_WIDTH, Jump, is_steady, jumps, side
 from ...formula.roots import RealFunction, spaced
 from ...formula.tree import Formula, is_call
 from ...formula.walk import walk
@@ -79,15 +79,23 @@ def jumping(
     """Yield where a result jumps between values of a grid, unless it is nothing but rounding.
 
     It may do so at ``turns`` as well, be it by less than what it changes by in the cells beside.
+    Seen next to one it is there: what is divided by next to nothing is rounded most.
     """
     size, range_ = along.function(result.formula, result), grid[-1] - grid[0]
     seen, places = jumps(size, grid), spaced(grid[0], grid[-1], PLACES)
     near = 2 * BESIDE_JUMP * range_
     others = [x for x in turns if all(abs(x - jump.x) > near for jump in seen)]
-    for jump in (*seen, *_at_turns(size, others, range_)):
+    placed = (jump._replace(x=_nearest(turns, jump.x, near)) for jump in seen)
+    for jump in (*placed, *_at_turns(size, others, range_)):
         higher = max(abs(jump.before), abs(jump.after))
         if not is_nothing({jump.x: higher}, result, along, places):
             yield _jumping(result.name, jump, along, range_)
+
+
+def _nearest(turns: Sequence[float], x: float, near: float) -> float:
+    """Return the turn nearest to x, x itself where none is near."""
+    nearest = min(turns, key=lambda turn: abs(turn - x), default=x)
+    return nearest if abs(nearest - x) <= near else x
 
 
 def is_on_the_stroke(found: Singular, run: StrokeRun) -> bool:
@@ -113,7 +121,7 @@ def _jumping(name: str, jump: Jump, along: Sweep, range_: float) -> Singular:
 def _at_turns(size: RealFunction, turns: Sequence[float], range_: float) -> Iterator[Jump]:
     """Yield the turns at which a function jumps by what shows in its figures."""
     for x in turns:
-        before, after = (size(x + side * BESIDE_JUMP * range_) for side in (-1, 1))
+        before, after = (side(size, x, way * BESIDE_JUMP * range_) for way in (-1, 1))
         jump = Jump(x, JUMP_WIDTH * range_, before, after)
         shows = abs(after - before) > SEEN * max(abs(before), abs(after))
         if shows and is_steady(size, jump, range_):
