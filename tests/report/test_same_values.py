@@ -4,9 +4,10 @@ import pytest
 from hypothesis import given
 
 from formula_strategies import VALUES, formulas
-from mechc.formula.differences import differences_as_in, plus_first, with_positive_sines
+from mechc.formula.differences import differences_as_in, with_positive_sines
 from mechc.formula.evaluate import evaluate
 from mechc.formula.layout import in_degrees, over_line
+from mechc.formula.rewriting import plus_first
 from mechc.formula.tree import Sum
 from mechc.report.book_forms import book_form
 from mechc.report.sentences.order import geometry_first

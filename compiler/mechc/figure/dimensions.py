@@ -6,8 +6,8 @@ from typing import assert_never
 
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.from_formula import to_angle
-from ..formula.differences import plus_first
 from ..formula.evaluate import evaluate
+from ..formula.rewriting import plus_first
 from ..formula.to_text import text
 from ..formula.tree import Formula, Sum, Symbol, negative, total
 from ..formula.walk import constants, symbols

@@ -8,9 +8,19 @@ delta − psi + 23° is made of its sine.
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
+from .cofunctions import Quarter, as_cofunction, opposite_angle
 from .evaluate import SharedEvaluation
 from .layout import has_minus, in_degrees
 from .operations import count_operations
+from .positive_divisors import (
+    NO_SIGN,
+    divisor,
+    in_reading_order,
+    is_below,
+    over_positive,
+    with_opposites,
+)
+from .rewriting import rewritten, without_sign
 from .tree import (
     Call,
     Formula,
@@ -21,24 +31,16 @@ from .tree import (
     degrees,
     is_call,
     negative,
-    number,
     product,
     total,
 )
 from .walk import children, rebuild, walk
-
-NO_SIGN = 1e-9
-"""A sine that is smaller is 0 but for rounding, and has no sign."""
 
 MOST_READ_OPERATIONS = 400
 """Formulas of more operations are read by machines alone."""
 
 
 LazyValues = Callable[[], Mapping[str, float]]
-
-
-Quarter = Callable[[Formula], int]
-"""By how many degrees an angle is to be turned to be one that a person knows: 90, −90 or 0."""
 
 
 def with_positive_sines(
@@ -85,12 +87,12 @@ def _length(formula: Formula) -> int:
 
 def _positive(formula: Formula, values: LazyValues) -> Formula:
     differences = [found for node in walk(formula) if (found := _difference(node))]
-    divisors = [found for node in walk(formula) if (found := _divisor(node))]
+    divisors = [found for node in walk(formula) if (found := divisor(node))]
     if not differences and not divisors:
         return formula
     at = SharedEvaluation(values())
     behind = any(_is_negative_sine(d, at) for d in differences) or any(
-        _is_below(d, at) for d in divisors
+        is_below(d, at) for d in divisors
     )
     return _sizes_as_beside(_without_minus(_sines_turned(formula, at) if behind else formula))
 
@@ -129,8 +131,7 @@ def _without_minus(formula: Formula) -> Formula:
     turned = {i: new for i, f in enumerate(formula.factors) if (new := _sine_turned(f))}
     if len(turned) != 1 or any(isinstance(formula.factors[i], Power) for i in turned):
         return formula
-    factors = (turned.get(i, factor) for i, factor in enumerate(formula.factors))
-    return product([(number(-1), 1), *((factor, 1) for factor in factors)])
+    return with_opposites(formula.factors, turned)
 
 
 def zero_as_written(factor: Formula, values: LazyValues, quarter: Quarter | None) -> Formula:
@@ -142,61 +143,8 @@ def zero_as_written(factor: Formula, values: LazyValues, quarter: Quarter | None
     return with_positive_sines(factor, values, quarter)
 
 
-def plus_first(formula: Formula) -> Formula:
-    """Return a formula in whose sums a term without a minus leads; what is squared has none.
-
-    A component of which all terms have a minus has one before it.
-
-    >>> from .tree import Symbol
-    >>> from .to_text import text
-    >>> text(plus_first(total([negative(Symbol("a")), Symbol("b")])))
-    'b - a'
-    >>> text(plus_first(Power(negative(Symbol("a")), number(2))))
-    'a^2'
-    >>> both = Sum((negative(Symbol("a")), negative(Symbol("b"))))
-    >>> text(plus_first(Call("hypot", (both, both))))
-    'hypot(a + b, a + b)'
-    >>> text(plus_first(Call("atan2", (both, Symbol("c")))))
-    'atan2(-(a + b), c)'
-    """
-    parts = tuple(map(plus_first, children(formula)))
-    if isinstance(formula, Call) and formula.function in ("hypot", "atan2"):
-        is_even = formula.function == "hypot"
-        parts = tuple(_after_minus(part, is_even) for part in parts)
-    if isinstance(formula, Power) and _is_even(formula.exponent) and has_minus(parts[0]):
-        return Power(negative(parts[0]), formula.exponent)
-    if isinstance(formula, Sum) and has_minus(parts[0]):
-        lead = next((i for i, part in enumerate(parts) if not has_minus(part)), 0)
-        return total([parts[lead], *parts[:lead], *parts[lead + 1 :]])
-    return rebuild(formula, parts) if parts != children(formula) else formula
-
-
-def _after_minus(formula: Formula, is_even: bool) -> Formula:
-    """Return a sum with its minuses before it, if it has nothing else, or without where even."""
-    terms = formula.terms if isinstance(formula, Sum) else (formula,)
-    if not all(map(has_minus, terms)):
-        return formula
-    return negative(formula) if is_even else product([(number(-1), 1), (negative(formula), 1)])
-
-
-def _is_even(exponent: Formula) -> bool:
-    return isinstance(exponent, Number) and exponent.value % 2 == 0
-
-
 def _with_cofunctions(formula: Formula, quarter: Quarter) -> Formula:
     return rewritten(formula, lambda whole: as_cofunction(whole, quarter))
-
-
-def rewritten(formula: Formula, turned: Callable[[Formula], Formula | None]) -> Formula:
-    """Return a formula with what is turned in place of its parts, their signs put together."""
-    parts = tuple(rewritten(part, turned) for part in children(formula))
-    if isinstance(formula, Power) and isinstance(formula.exponent, Number):
-        sign, base = _without_sign(parts[0])
-        if sign < 0 and formula.exponent.value.denominator == 1:
-            times = sign**formula.exponent.value.numerator
-            return product([(number(int(times)), 1), (Power(base, formula.exponent), 1)])
-    whole = rebuild(formula, parts) if parts != children(formula) else formula
-    return turned(whole) or whole
 
 
 def differences_as_in(formula: Formula, *models: Formula) -> Formula:
@@ -283,70 +231,12 @@ def _difference_turned_as(
     return None
 
 
-def without_sign(formula: Formula) -> Formula:
-    """Return a function without the minus before it.
-
-    >>> without_sign(negative(Call("sin", (number(1),)))) == Call("sin", (number(1),))
-    True
-    """
-    return _without_sign(formula)[1]
-
-
-def _without_sign(formula: Formula) -> tuple[int, Formula]:
-    match formula:
-        case Product((Number(value), Call() as call)) if value == -1:
-            return -1, call
-    return 1, formula
-
-
-def as_cofunction(formula: Formula, quarter: Quarter) -> Formula | None:
-    """Return a sine as a cosine, or the other way round, of its angle turned by a quarter.
-
-    None where it is not to be turned, and for what is neither.
-
-    >>> from .to_text import text
-    >>> text(as_cofunction(Call("cos", (degrees(35),)), lambda angle: -90))
-    'sin(11*pi/36)'
-    """
-    match formula:
-        case Call("sin" | "cos" as function, (angle,)) if turn := quarter(angle):
-            # cos x = sin(x + 90°), sin x = −cos(x + 90°)
-            sign = (1 if function == "cos" else -1) * (1 if turn > 0 else -1)
-            other = "sin" if function == "cos" else "cos"
-            turned = _plus(angle, turn)
-            if _is_opposite(turned, other):
-                turned, sign = _negated(turned), sign * (1 if other == "cos" else -1)
-            return product([(number(sign), 1), (Call(other, (turned,)), 1)])
-    return None
-
-
-def _is_opposite(angle: Formula, function: str) -> bool:
-    """Return whether a function is written of an angle's negative: a constant's, or a cosine's."""
-    if isinstance(angle, Sum):
-        return function == "cos" and has_minus(angle.terms[0])
-    return bool(in_degrees(angle)) and has_minus(angle)
-
-
-def _negated(angle: Formula) -> Formula:
-    if isinstance(angle, Sum):
-        return total(_in_reading_order(map(negative, angle.terms)))
-    return negative(angle)
-
-
-def _plus(angle: Formula, turn: int) -> Formula:
-    """Return an angle with degrees added to its constant, which comes last."""
-    terms = angle.terms if isinstance(angle, Sum) else (angle,)
-    others = [term for term in terms if in_degrees(term) is None]
-    constant = sum(size for term in terms if (size := in_degrees(term)) is not None)
-    return total([*others, degrees(constant + turn)])
-
-
 def _sines_turned(formula: Formula, at: SharedEvaluation) -> Formula:
     parts = tuple(_sines_turned(part, at) for part in children(formula))
     whole = rebuild(formula, parts) if parts != children(formula) else formula
     match whole:
         case Product(factors):
-            above = _over_positive(factors, at) or whole
+            above = over_positive(factors, at) or whole
             factors = above.factors if isinstance(above, Product) else factors
             return _turned_in_pairs(factors, at) or above
         case Power(base, Number(value) as exponent) if value.denominator == 1 and not value % 2:
@@ -357,88 +247,6 @@ def _sines_turned(formula: Formula, at: SharedEvaluation) -> Formula:
             return whole
 
 
-def _over_positive(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
-    """Return a product divided by positive differences, a minus before it if need be.
-
-    M/(a − b) is −M/(b − a) where a is smaller; what is negative above the line is turned, too.
-    None where no difference below the line is negative.
-    """
-    below = [i for i, f in enumerate(factors) if (d := _divisor(f)) and _is_below(d, at)]
-    if not below:
-        return None
-    above = [i for i, f in enumerate(factors) if _is_mixed(f) and _is_below(f, at)]
-    turned = {i: _opposite(factors[i]) for i in (*below, *above)}
-    parts = [(turned.get(i, factor), 1) for i, factor in enumerate(factors)]
-    return product([(number((-1) ** len(turned)), 1), *parts])
-
-
-def with_positive_divisors(formula: Formula, values: Mapping[str, float]) -> Formula:
-    """Return −atan(a/(b − 1)) as atan(a/(1 − b)) where b − 1 is negative at the values.
-
-    >>> from .tree import ONE, Symbol, quotient
-    >>> from .to_text import text
-    >>> a, b = map(Symbol, "ab")
-    >>> bound = negative(Call("atan", (quotient(a, total([b, negative(ONE)])),)))
-    >>> text(with_positive_divisors(bound, {"a": 0.1, "b": 0.2}))
-    'atan(a/(1 - b))'
-    """
-    at = SharedEvaluation(values)
-
-    def turned(whole: Formula) -> Formula | None:
-        match whole:
-            case Call("asin" | "atan" as function, (Product(factors),)):
-                below = [i for i, f in enumerate(factors) if _is_below_zero(f, at)]
-                parts = [_opposite(f) if i in below else f for i, f in enumerate(factors)]
-                sign = number((-1) ** len(below))
-                inner = product([(sign, 1), *((part, 1) for part in parts)])
-                if has_minus(inner):
-                    return negative(Call(function, (negative(inner),)))
-                return Call(function, (inner,))
-        return None
-
-    return rewritten(formula, turned)
-
-
-def _is_below_zero(factor: Formula, at: SharedEvaluation) -> bool:
-    """Return whether a factor is a sum, or one over it, that is negative at the values."""
-    match factor:
-        case Power(Sum() as base, Number(value)) if value == -1:
-            return _is_below(base, at)
-    return isinstance(factor, Sum) and _is_below(factor, at)
-
-
-def _opposite(factor: Formula) -> Formula:
-    """Return an odd power of a sum with all terms of the other sign."""
-    if isinstance(factor, Power):
-        return Power(_opposite(factor.base), factor.exponent)
-    assert isinstance(factor, Sum)
-    return total(_in_reading_order(map(negative, factor.terms)))
-
-
-def _divisor(formula: Formula) -> Sum | None:
-    """Return the difference that something is divided by, once or an odd number of times."""
-    match formula:
-        case Power(Sum() as base, Number(value)) if value < 0 and value % 2 == 1:
-            return base if _is_mixed(base) else None
-    return None
-
-
-def _is_mixed(formula: Formula) -> bool:
-    """Return whether something is a sum of terms of which some have a minus, not all."""
-    signs = set(map(has_minus, formula.terms)) if isinstance(formula, Sum) else set()
-    return len(signs) == 2
-
-
-def _is_below(formula: Formula, at: SharedEvaluation) -> bool:
-    """Return whether a sum is negative; False where it has no value."""
-    assert isinstance(formula, Sum)
-    try:
-        sizes = [at.of(term) for term in formula.terms]
-    except KeyError:
-        return False
-    return sum(sizes) < -NO_SIGN * max(map(abs, sizes))
-
-
 def _turned_in_pairs(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
     """Return a product with negative sines turned; None where an odd one would need a minus."""
     sign = -1 if has_minus(Product(tuple(factors))) else 1
@@ -447,8 +255,7 @@ def _turned_in_pairs(factors: Sequence[Formula], at: SharedEvaluation) -> Formul
         turned = dict(list(turned.items())[:-1])
     if not turned:
         return None
-    parts = [(turned.get(i, factor), 1) for i, factor in enumerate(factors)]
-    return product([(number((-1) ** len(turned)), 1), *parts])
+    return with_opposites(factors, turned)
 
 
 def _sine_turned(factor: Formula, at: SharedEvaluation | None = None) -> Formula | None:
@@ -464,7 +271,7 @@ def _sine_turned(factor: Formula, at: SharedEvaluation | None = None) -> Formula
             return None if at is None else _sum_turned(terms, at)
         case _ if difference := _difference(factor):
             if at is None or _is_negative_sine(difference, at):
-                return Call("sin", (_negated(difference),))
+                return Call("sin", (opposite_angle(difference),))
     return None
 
 
@@ -476,7 +283,7 @@ def _sum_turned(terms: Sequence[Formula], at: SharedEvaluation) -> Formula | Non
     )
     try:
         return (
-            total(_in_reading_order(turned))
+            total(in_reading_order(turned))
             if is_led and at.of(Sum(tuple(terms))) < -NO_SIGN
             else None
         )
@@ -490,15 +297,6 @@ def _is_negative_sine(difference: Sum, at: SharedEvaluation) -> bool:
         return math.sin(at.of(difference)) < -NO_SIGN
     except KeyError:
         return False
-
-
-def _in_reading_order(terms: Iterable[Formula]) -> list[Formula]:
-    """Return terms as they are read: those without a minus first, a constant last.
-
-    A constant is the first where all others have a minus.
-    """
-    ordered = sorted(terms, key=lambda term: (in_degrees(term) is not None, has_minus(term)))
-    return ordered[-1:] + ordered[:-1] if has_minus(ordered[0]) else ordered
 
 
 def _difference(formula: Formula) -> Sum | None:

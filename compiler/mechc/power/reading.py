@@ -5,7 +5,7 @@ from functools import cached_property
 
 from ..algebra.product import Product
 from ..algebra.sums import is_long, readable
-from ..formula.differences import Quarter
+from ..formula.cofunctions import Quarter
 from ..formula.operations import count_operations
 from ..formula.tree import Formula
 from ..formula.walk import symbols

@@ -9,10 +9,11 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
 from ..algebra.angle import RADIAN, Angle
-from ..formula.differences import MOST_READ_OPERATIONS, plus_first, rewritten
+from ..formula.differences import MOST_READ_OPERATIONS
 from ..formula.layout import has_minus, in_degrees
 from ..formula.names import VECTOR_POINTS, direction_of
 from ..formula.operations import count_operations
+from ..formula.rewriting import plus_first, rewritten
 from ..formula.tree import Call, Formula, Sum, Symbol, degrees, negative, total
 from ..formula.walk import reached, symbols, walk
 from ..frozen import fields, replace

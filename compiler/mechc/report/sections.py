@@ -8,8 +8,8 @@ from itertools import zip_longest
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from ..formula.differences import plus_first
 from ..formula.operations import count_operations
+from ..formula.rewriting import plus_first
 from ..formula.tree import ZERO, Call, Formula, Implicit, Product, Sum, Symbol, System
 from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace

@@ -5,9 +5,9 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import chain, groupby, pairwise
 
 from ..algebra.from_formula import to_product
-from ..formula.differences import with_positive_divisors
 from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
+from ..formula.positive_divisors import with_positive_divisors
 from ..formula.solved import AngleSolution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import symbols

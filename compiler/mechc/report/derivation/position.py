@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, groupby
 
-from ...formula.differences import plus_first
 from ...formula.names import VECTOR_POINTS, corner_of, split_points
+from ...formula.rewriting import plus_first
 from ...formula.tree import HALF, ONE, Call, Formula, Implicit, Number, Power, Product, Sum
 from ...formula.walk import reached, symbols, walk
 from ...frozen import replace

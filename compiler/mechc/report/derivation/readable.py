@@ -9,15 +9,14 @@ from ...formula.differences import (
     LazyValues,
     differences_as_in,
     factors_as_in,
-    plus_first,
     positive_sines,
     terms_as_in,
     with_positive_sines,
-    without_sign,
     zero_as_written,
 )
 from ...formula.layout import has_minus, over_line
 from ...formula.operations import count_operations
+from ...formula.rewriting import plus_first, without_sign
 from ...formula.tree import ZERO, Formula, Product, is_call, negative
 from ...formula.walk import symbols, walk
 from ...frozen import replace
