@@ -21,16 +21,10 @@ from ..model.values import Chain
 from ..power.balance import AlgebraicResult, Balance
 from .analysis import Cause
 from .causes import cause
-from .common_zeros import VANISHES_TOO, CommonZeros, flat_sides
-from .tolerances import VANISHED_SUM
+from .common_zeros import CommonZeros, flat_sides
+from .tolerances import FROM_ROOT, VANISHED_SUM, VANISHES_TOO
 from .trends import is_free_of_zeros
 from .variables import moving_first, with_range
-
-BESIDE_ROOT = (1e-4, 1e-6)
-"""How far from a root the values are compared that refute it, in radians.
-
-Far from it rounding does no harm; near it no other root that is close by does.
-"""
 
 ARCS = ("asin", "acos")
 """Functions that intervals bound: angles by them may have sines that never vanish."""
@@ -116,7 +110,7 @@ def is_refuted(root: AngleRoot, of: RatioSide) -> bool:
     names = {root.name, *root.value.names}
     if not names <= of.near.keys() or not names.isdisjoint(of.defined):
         return False
-    far, near = BESIDE_ROOT
+    far, near = FROM_ROOT
     sizes = _beside(root, far, of)
     if not sizes:
         return _meets_another(root, of)

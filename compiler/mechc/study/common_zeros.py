@@ -20,7 +20,7 @@ from ..model.values import Chain, Values, range_of
 from ..pose.pose import Arm, Limit, Pose, evaluate_vector
 from ..pose.tolerances import SAME_PLACE
 from ..pose.vector_graph import mentioned
-from .tolerances import SAME_RATIO
+from .tolerances import SAME_RATIO, VANISHES_TOO
 from .variables import last, moving_first, turns
 
 SIGN_CELLS = 37
@@ -28,9 +28,6 @@ SIGN_CELLS = 37
 
 BEYOND_RANGE = 0.01
 """The part of a range by which it is looked at beyond its ends, where factors may vanish."""
-
-VANISHES_TOO = 1e-6
-"""What a factor may be at a zero of another one that it vanishes with."""
 
 ANYWHERE = 1.0
 """An angle at which neither sine nor cosine is special, in radians."""

@@ -42,7 +42,7 @@ from ..model.values import (
 from ..named import NamedTuple
 from ..units import in_unit, si_unit
 from .analysis import as_printed
-from .tolerances import SAME_FIGURE, SAME_RATIO
+from .tolerances import SAME_FACTOR, SAME_FIGURE, SAME_RATIO
 from .variables import scale_of
 
 RANDOM_POSES = 12
@@ -56,10 +56,6 @@ NARROW_DRAWS = 200
 
 ROUNDINGS = 4
 """How many times the rounding of both values a difference may have: it is a first-order bound."""
-
-
-SLIP = 1e-3
-"""What a figure may be off where only its sign or its unit is wrong."""
 
 
 class Finding(NamedTuple):
@@ -295,17 +291,21 @@ def _slip(finding: Finding) -> "messages.LikelySlip":
     if not finding.expected or not math.isfinite(finding.found) or not finding.found:
         return ""
     times = abs(finding.found / finding.expected)
-    if math.isclose(times, 1, rel_tol=SLIP):
+    if math.isclose(times, 1, rel_tol=SAME_FACTOR):
         return "sign" if finding.found * finding.expected < 0 else ""
-    if math.isclose(abs(finding.found * finding.expected), 1, rel_tol=SLIP):
+    if math.isclose(abs(finding.found * finding.expected), 1, rel_tol=SAME_FACTOR):
         return "inverse"
-    if any(math.isclose(times, factor, rel_tol=SLIP) for factor in (2, 0.5)):
+    if any(math.isclose(times, factor, rel_tol=SAME_FACTOR) for factor in (2, 0.5)):
         return "twice"
     tens = math.log10(times)
-    if round(tens) and math.isclose(times, 10.0 ** round(tens), rel_tol=SLIP):
+    if round(tens) and math.isclose(times, 10.0 ** round(tens), rel_tol=SAME_FACTOR):
         return "unit"
     turned = (times, 1 / times)
-    return "degrees" if any(math.isclose(t, math.degrees(1), rel_tol=SLIP) for t in turned) else ""
+    return (
+        "degrees"
+        if any(math.isclose(t, math.degrees(1), rel_tol=SAME_FACTOR) for t in turned)
+        else ""
+    )
 
 
 def _shown_at(expect: Expect, result: Result, mechanism: Mechanism, values: Values) -> Values:

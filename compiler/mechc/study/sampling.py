@@ -14,7 +14,15 @@ from itertools import chain, pairwise
 
 from ..formula.roots import lowest, spaced
 from .states import Moving
-from .tolerances import JUMP_WIDTH, NEARLY, SAME_EFFICIENCY, SAME_VALUE, TOUCHED
+from .tolerances import (
+    BEFORE_JUMP,
+    JUMP_WIDTH,
+    NEARLY,
+    SAME_EFFICIENCY,
+    SAME_VALUE,
+    THREE_FIGURES,
+    TOUCHED,
+)
 from .variables import SignedMeasure, last
 
 DEAD_CENTRE_CELLS = 36
@@ -41,14 +49,8 @@ BENT_CELL = 0.02
 MOST_HALVED = 10
 """How often a cell is halved at most."""
 
-BEFORE_JUMP = 1e-2
-"""How far before a jump an efficiency is looked at, as a part of the cell that ends there."""
-
 SECTIONS, FEWER = 16, 13
 """Sections to a lowest or highest efficiency; three figures of a smooth one are right then."""
-
-THREE_FIGURES = 1e-4
-"""What an efficiency may still change by there; where it has a kink, it takes more sections."""
 
 FindChanges = Callable[[Moving, float, float], Iterator[float]]
 """Yields values between two others at which something happens."""

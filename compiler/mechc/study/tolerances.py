@@ -150,3 +150,33 @@ STILL = 1e-12
 
 SAME_RATE = 1e-5
 """Rates that differ by less than this part are equal: differences lose half the digits."""
+
+STEP_BACK = 1e-3
+"""The part of the stroke by which one goes back before the curve is followed."""
+
+LEAST_LENGTH = 1e-3
+"""A length counts as this long at least, in metres, when steps are measured by it."""
+
+SHOWN_JUMP = 1e-6
+"""The part of a value by which it jumps if that shows in the six figures that are printed."""
+
+BEFORE_JUMP = 1e-2
+"""How far before a jump an efficiency is looked at, as a part of the cell that ends there."""
+
+THREE_FIGURES = 1e-4
+"""What an efficiency may still change by where its least or greatest is: three figures are said.
+
+Where it has a kink, it takes more sections.
+"""
+
+VANISHES_TOO = 1e-6
+"""What a factor may be at a zero of another one that it vanishes with."""
+
+FROM_ROOT = (1e-4, 1e-6)
+"""How far from a root the values are compared that refute it, in radians.
+
+Far from it rounding does no harm; near it no other root that is close by does.
+"""
+
+SAME_FACTOR = 1e-3
+"""What a figure may be off where only its sign or its unit is wrong."""

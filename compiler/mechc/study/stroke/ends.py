@@ -16,15 +16,10 @@ from ...named import NamedTuple
 from ...pose.pose import Pose
 from ...units import LENGTH
 from ..pose_sweep import PoseSweep
+from ..tolerances import LEAST_LENGTH, STEP_BACK
 
 Outer = Callable[[float], Sequence[float]]
 """The outer symbols of a system at a value of the drive."""
-
-BACK = 1e-3
-"""The part of the stroke by which one goes back before the curve is followed."""
-
-LEAST_LENGTH = 1e-3
-"""A length counts as this long at least, in metres, when steps are measured by it."""
 
 
 class LastValue(NamedTuple):
@@ -40,7 +35,7 @@ def end_of_branch(pose: Pose, along: PoseSweep, edge: float, range_: float) -> L
     ``range_`` is the length of the stroke, negative where there are poses after the edge.
     The edge itself is returned where neither happens.
     """
-    inside, goal = edge - BACK * range_, edge + BACK * range_
+    inside, goal = edge - STEP_BACK * range_, edge + STEP_BACK * range_
     loops = [limit.loop for limit in pose.limits if limit.group == "system"]
     for (system, outer), loop in zip(_systems(pose, along), loops, strict=False):
         start = solution(system, tuple(outer(inside)))

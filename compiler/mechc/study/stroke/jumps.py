@@ -15,7 +15,7 @@ from ...formula.walk import walk
 from ...model.parts.targets import Efficiency, Reaction, WithFriction
 from ..analysis import Analysis
 from ..sweep import Sweep
-from ..tolerances import JUMP_SIDES
+from ..tolerances import JUMP_SIDES, SHOWN_JUMP
 from ..variables import last
 from .rounded import is_nothing
 from .run import StrokeRun
@@ -26,9 +26,6 @@ PLACES = 60
 
 GROWS_TEN_TIMES_NEARER = 5.0
 """How much larger what is infinite somewhere is ten times nearer to it, at least."""
-
-SEEN = 1e-6
-"""The part of a value by which it jumps if that shows in the six figures that are printed."""
 
 SIGNS = ("sign", "sense")
 """The functions that change with a slip or a force that turns round."""
@@ -123,7 +120,7 @@ def _at_turns(size: RealFunction, turns: Sequence[float], range_: float) -> Iter
     for x in turns:
         before, after = (side(size, x, way * BESIDE_JUMP * range_) for way in (-1, 1))
         jump = Jump(x, JUMP_WIDTH * range_, before, after)
-        shows = abs(after - before) > SEEN * max(abs(before), abs(after))
+        shows = abs(after - before) > SHOWN_JUMP * max(abs(before), abs(after))
         if shows and is_steady(size, jump, range_):
             yield jump
 
