@@ -12,9 +12,9 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.derivative import derivative
 from mechc.algebra.equality import equal
 from mechc.algebra.from_formula import to_angle, to_product
+from mechc.algebra.matrices import independent_of
 from mechc.algebra.modular import PARTS, PRIME, ModularPoint, direction
 from mechc.algebra.product import Product, Sum
-from mechc.algebra.rank import independent_of
 from mechc.algebra.sums import add, canonical
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.evaluate import evaluate

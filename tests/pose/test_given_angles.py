@@ -5,8 +5,7 @@ import pytest
 import mechc
 from mechc.algebra.angle import Angle
 from mechc.algebra.trigonometry import cosine, sine
-from mechc.formula.cofunctions import as_cofunction
-from mechc.formula.rewriting import rewritten
+from mechc.formula.rewriting import as_cofunction, rewritten
 from mechc.formula.to_text import text
 from mechc.pose.given_angles import Constants, GivenLines
 

@@ -5,8 +5,9 @@
 canonical sums. In powers of exp(iα), ``laurent``, all but two terms of sin a cos b + cos a sin b
 cancel, and ``factoring`` makes one sine of them; ``pairing`` is the way back, to products again.
 ``cancelling`` takes out what is on both sides of a line, by ``common_divisors`` and ``halving``.
-``modular``, ``equality``, ``rank``: exact answers at random points of a finite field. ``blocks``:
-the order in which relations are solved, for loops and for velocities.
+``modular``, ``equality``: exact answers at random points of a finite field; ``matrices``: ranks by
+them, and determinants. ``blocks``: the order in which relations are solved, for loops and for
+velocities.
 """
 
 from typing import TYPE_CHECKING

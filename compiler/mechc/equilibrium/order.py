@@ -6,9 +6,8 @@ give as many forces together. What the load does not rest on is left out again.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ..algebra.determinant import determinant, with_column
+from ..algebra.matrices import determinant, numeric_rank, with_column
 from ..algebra.product import ZERO
-from ..algebra.rank import numeric_rank
 from ..algebra.sums import add
 from ..formula.operations import count_operations
 from ..formula.walk import symbols

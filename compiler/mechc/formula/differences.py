@@ -8,19 +8,24 @@ delta − psi + 23° is made of its sine.
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
-from .cofunctions import Quarter, as_cofunction, opposite_angle
 from .evaluate import SharedEvaluation
 from .layout import has_minus, in_degrees
 from .operations import count_operations
 from .positive_divisors import (
     NO_SIGN,
     divisor,
-    in_reading_order,
     is_below,
     over_positive,
     with_opposites,
 )
-from .rewriting import rewritten, without_sign
+from .rewriting import (
+    Quarter,
+    as_cofunction,
+    in_reading_order,
+    opposite_angle,
+    rewritten,
+    without_sign,
+)
 from .tree import (
     Call,
     Formula,

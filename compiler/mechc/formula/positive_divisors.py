@@ -3,11 +3,11 @@
 M/(a - b) is -M/(b - a) where a is smaller.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from .evaluate import SharedEvaluation
-from .layout import has_minus, in_degrees
-from .rewriting import rewritten
+from .layout import has_minus
+from .rewriting import in_reading_order, rewritten
 from .tree import Call, Formula, Number, Power, Product, Sum, negative, number, product, total
 
 NO_SIGN = 1e-9
@@ -97,12 +97,3 @@ def is_below(formula: Formula, at: SharedEvaluation) -> bool:
     except KeyError:
         return False
     return sum(sizes) < -NO_SIGN * max(map(abs, sizes))
-
-
-def in_reading_order(terms: Iterable[Formula]) -> list[Formula]:
-    """Return terms as they are read: those without a minus first, a constant last.
-
-    A constant is the first where all others have a minus.
-    """
-    ordered = sorted(terms, key=lambda term: (in_degrees(term) is not None, has_minus(term)))
-    return ordered[-1:] + ordered[:-1] if has_minus(ordered[0]) else ordered

@@ -7,8 +7,8 @@ n = s·(ideal + Σ D·n) is a linear system, and the driving load a quotient of 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from ..algebra.determinant import determinant, with_column
 from ..algebra.from_formula import to_product
+from ..algebra.matrices import determinant, with_column
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
 from ..formula.tree import Formula, Symbol, product, total

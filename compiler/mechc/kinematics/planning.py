@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 from ..algebra.blocks import blocks, match
+from ..algebra.matrices import Echelon, Residues, independent, residues
 from ..algebra.modular import ModularPoint
 from ..algebra.product import ONE, ZERO, weight
-from ..algebra.rank import Echelon, Residues, independent, residues
 from ..algebra.sums import canonical
 from ..diagnostics import Report
 from ..diagnostics import kinematics as messages

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from itertools import count
 
-from ..algebra.determinant import determinant, with_column
+from ..algebra.matrices import determinant, with_column
 from ..algebra.modular import PRIME, ModularPoint
 from ..algebra.product import ZERO, Product, Sum
 from ..algebra.sums import BoundSum, add, canonical

@@ -7,8 +7,8 @@ speed under a name of its own.
 
 from collections.abc import Callable, Mapping, Sequence
 
-from ..algebra.determinant import shortest_determinant
 from ..algebra.factors import Length
+from ..algebra.matrices import shortest_determinant
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import BoundSum, is_long, shortest
 from ..formula.names import another

@@ -21,6 +21,7 @@ from ..formula.evaluate import evaluate
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import constants
+from ..model.mechanism import Mechanism, Pivot
 from ..model.values import Values
 from ..named import NamedTuple
 from ..source import Span
@@ -197,3 +198,18 @@ def _factor_names(factor: Factor) -> Iterator[str]:
 def across(direction: Angle) -> Angle:
     """Return the normal of a direction."""
     return direction + QUARTER
+
+
+def given_by_hand(mechanism: Mechanism) -> frozenset[str]:
+    """Return the parameters that stand in the description, without the drive and what is drawn.
+
+    What lies between pivots at coordinates, lengths and angles, is drawn as well.
+    """
+    pivots = (pivot.span for pivot in mechanism.each(Pivot))
+    places, drive = [*(drawn.span for drawn in mechanism.drawn), *pivots], mechanism.drive_name
+    declared = (p for p in mechanism.parameters if p.name != drive)
+    return frozenset(p.name for p in declared if not any(_is_in(p.span, at) for at in places))
+
+
+def _is_in(span: Span, place: Span) -> bool:
+    return place.start <= span.start and span.end <= place.end

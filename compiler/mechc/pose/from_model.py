@@ -5,32 +5,28 @@ from functools import cache, partial
 
 from ..algebra.angle import QUARTER, Angle
 from ..diagnostics import Report
-from ..diagnostics import pose as messages
-from ..formula.walk import symbols
+from ..formula.tree import Formula
 from ..frozen import replace
 from ..model.boxes import allowed_box
-from ..model.mechanism import ForcePair, Link, Mechanism, Slider
-from ..model.results import failures
-from ..model.values import holds
+from ..model.mechanism import ForcePair, Link, Mechanism, RopeFriction, Slider
 from ..named import NamedTuple
 from ..source import Span
 from . import assembly_checks, force_pairs, lines
 from .asked_vectors import with_directions
 from .bodies import aligned, contacts, frames, on_the_line
-from .closure import ClosingEquations, ClosureCondition, across
+from .closure import ClosingEquations, ClosureCondition, across, given_by_hand
 from .directions import Directions
-from .drawn import drawn_elsewhere, given_by_hand, moved_from_drawing
 from .given_angles import in_given_angles
 from .loops.closing import close
 from .loops.guide_lines import with_lines
 from .missing_directions import explained, unfound_angles
 from .pose import Closed, Pose
 from .pruning import pruned
-from .samples import default_pose, poses_nearby
+from .remarks import moved_from_drawing, remark_on_conditions, remark_on_drawing
+from .samples import poses_nearby
 from .terms import AlgebraicTerms
 from .vector_graph import chained, mentioned
 from .vectors import Missing, Vectors, senses
-from .wheels import misfits, radii
 
 
 def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
@@ -62,9 +58,9 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
             report.add(fault)
     _check_loops(pose, read, unfound.keys())
     report.stop_on_errors()
-    _remark(pose, vectors, closed, report)
+    remark_on_drawing(pose, vectors, closed, report)
     moved = moved_from_drawing(pruned(pose), report)
-    _remark_on_conditions(moved, closed, report)
+    remark_on_conditions(moved, closed, report)
     return _without_guides_of_slides(in_given_angles(moved))
 
 
@@ -80,39 +76,6 @@ def _without_guides_of_slides(pose: Pose) -> Pose:
     held = tuple(j for j in joints if not (isinstance(j, Slider) and j.is_of_slide))
     guides = {point: along for point, along in pose.guides.items() if point not in placed}
     return replace(pose, mechanism=replace(pose.mechanism, joints=held), guides=guides)
-
-
-def _remark_on_conditions(pose: Pose, closed: Closed, report: Report) -> None:
-    """Remark on conditions that the default pose breaks, those that were remarked on left out.
-
-    What a sheet gives is held against its conditions where it is calculated.
-    """
-    if not pose.mechanism.requires:
-        return
-    default = default_pose(pose.mechanism, pose.closing)
-    given = {p.name for p in pose.mechanism.parameters} - closed.found
-    lets = {let.name for let in pose.mechanism.lets}
-    for condition in pose.mechanism.requires:
-        is_of_sheet = not pose.mechanism.links and symbols(condition.left, condition.right) <= given
-        if not is_of_sheet and not holds(condition, default):
-            report.add_first(failures.broken(condition, default, report.source, lets))
-
-
-def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> None:
-    """Remark on what the drawing breaks: centre distances, places.
-
-    E318 reports an assembly that it refutes; W301 remarks on others that decide nothing.
-    """
-    if not (closed.idle or pose.mechanism.drawn or pose.radii):
-        return
-    default = default_pose(pose.mechanism, pose.definitions)
-    for assembly in closed.idle:
-        for remark in assembly_checks.remarks(assembly, vectors, default):
-            report.add(remark)
-    for fault in drawn_elsewhere(pose.mechanism.drawn, vectors, default):
-        report.add(fault)
-    for misfit in misfits(pose, vectors, default):
-        report.add(messages.gears_apart(*misfit))
 
 
 class _PoseReading(NamedTuple):
@@ -153,7 +116,7 @@ def _pose(read: _PoseReading, closed: Closed) -> Pose:
         rates=closed.rates,
         slides=slides,
         contacts=held,
-        radii={radius: terms.length(radius) for radius in radii(mechanism)},
+        radii={radius: terms.length(radius) for radius in _radii(mechanism)},
         limits=closed.limits,
         loops=closed.loops,
         closing=tuple(terms.definitions),
@@ -162,6 +125,16 @@ def _pose(read: _PoseReading, closed: Closed) -> Pose:
         solved=closed.solved,
         falls=lines.falls(mechanism, named),
     )
+
+
+def _radii(mechanism: Mechanism) -> Iterator[Formula]:
+    """Yield the radius of every wheel, drum and circular slot and the pitch of every screw."""
+    yield from (link.arc.radius for link in mechanism.links if link.arc)
+    for joint in mechanism.joints:
+        yield from (size.formula for size in joint.sizes)
+    for friction in mechanism.friction.joints:
+        if isinstance(friction, RopeFriction) and friction.reach is not None:
+            yield friction.reach
 
 
 def _with_senses(mechanism: Mechanism, vectors: Vectors) -> Mechanism:

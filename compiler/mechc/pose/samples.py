@@ -1,12 +1,12 @@
-"""The default pose in numbers, and poses near it, for what algebra does not see into."""
+"""The default pose in numbers, poses near it, and drawn places, for what algebra cannot see."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ..algebra.product import Product
 from ..formula.evaluate import evaluate
 from ..formula.walk import symbols
-from ..model.mechanism import Mechanism, Parameter
+from ..model.mechanism import Drawn, Mechanism, Parameter
 from ..model.values import bounds, following
 from ..units import ANGLE, LENGTH
 from .pose import PoseDefinition
@@ -21,6 +21,9 @@ USUAL_ANGLE, USUAL_PART = 0.1, 0.01
 """A value nearer to zero is moved by a part of this: in radians, or of the greatest length."""
 
 Values = dict[str, float]
+
+Coordinates = tuple[float, float]
+"""In metres."""
 
 GivenParameters = list[tuple[Parameter, float | None]]
 """Parameters that follow from no others, each with its value."""
@@ -48,6 +51,12 @@ def is_behind(length: Product, poses: Iterable[Values]) -> bool:
     known = (values for values in poses if symbols(length.formula()) <= values.keys())
     values = next(known, None)
     return values is not None and length.evaluate(values) < 0
+
+
+def places_of(drawn: Sequence[Drawn], values: Values) -> dict[str, Coordinates]:
+    """Return where points are drawn, in metres."""
+    known = (d for d in drawn if symbols(d.x) | symbols(d.y) <= values.keys())
+    return {d.point: (evaluate(d.x, values), evaluate(d.y, values)) for d in known}
 
 
 def _given(mechanism: Mechanism) -> GivenParameters:

@@ -6,9 +6,8 @@ As a matrix they have a row for each motion and a column for each free load.
 from collections.abc import Mapping, Sequence
 
 from ..algebra.angle import Angle
-from ..algebra.determinant import determinant
+from ..algebra.matrices import determinant, independent_of
 from ..algebra.product import Product
-from ..algebra.rank import independent_of
 from ..algebra.sums import add, canonical
 from ..frozen import frozen
 from ..kinematics.plan import Plan, SpeedFactors

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
+from ..algebra.matrices import independent
 from ..algebra.modular import ModularPoint
 from ..algebra.product import Product
-from ..algebra.rank import independent
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Implicit, Symbol
 from ..formula.walk import substitute, symbols, walk

@@ -5,8 +5,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 
 from ..algebra.factors import Factor, Trig
+from ..algebra.matrices import numeric_rank
 from ..algebra.product import Product, Sum
-from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as messages
 from ..formula.evaluate import SharedEvaluation

@@ -5,8 +5,8 @@ from functools import cached_property
 
 from ..algebra.product import Product
 from ..algebra.sums import is_long, readable
-from ..formula.cofunctions import Quarter
 from ..formula.operations import count_operations
+from ..formula.rewriting import Quarter
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan

@@ -17,11 +17,10 @@ from ..algebra.product import Product
 from ..algebra.product import Sum as FactoredSum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
-from ..formula.cofunctions import as_cofunction
 from ..formula.evaluate import evaluate
 from ..formula.layout import has_minus
 from ..formula.operations import count_operations
-from ..formula.rewriting import rewritten
+from ..formula.rewriting import as_cofunction, rewritten
 from ..formula.tree import Call, Formula, Sum, is_call, negative, number, power, quotient, total
 from ..formula.walk import children, rebuild, walk
 from ..model.mechanism import Mechanism, Parameter

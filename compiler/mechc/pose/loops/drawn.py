@@ -5,8 +5,7 @@ from collections.abc import Collection, Mapping, Sequence, Set
 from itertools import combinations
 
 from ...algebra.product import Product
-from ..drawn import Coordinates, places_of
-from ..samples import Values
+from ..samples import Coordinates, Values, places_of
 from ..tolerances import EQUALLY_NEAR
 from ..vector_graph import Edge
 from .groups import LoopGroup

@@ -6,9 +6,9 @@ from types import MappingProxyType
 
 from ...algebra.angle import QUARTER, Angle, rational
 from ...algebra.derivative import derivative
-from ...algebra.determinant import determinant, with_column
 from ...algebra.factors import Length
 from ...algebra.from_formula import to_product
+from ...algebra.matrices import determinant, with_column
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine

@@ -1,6 +1,6 @@
 """Determinants of products, and Cramer's rule with them."""
 
-from mechc.algebra.determinant import determinant, with_column
+from mechc.algebra.matrices import determinant, with_column
 from mechc.algebra.product import Product
 from mechc.algebra.sums import add
 
