@@ -5,7 +5,11 @@ import math
 import pytest
 
 import mechc
+from mechc.formula.evaluate import evaluate
+from mechc.formula.rounding import Rounding
+from mechc.formula.tree import Call, Power, Product, Symbol, number, product, total
 from mechc.study.stroke.extrema import with_values
+from mechc.study.stroke.removable import RemovablePlaces
 
 
 def of(stroke, name):
@@ -56,3 +60,85 @@ def test_a_result_that_turns_in_the_cell_next_to_a_jam_has_an_extremum():
             pytest.approx(found[greatest], rel=1e-6),
         )
     ]
+
+
+SQUARE = """
+param phi = 75 deg
+drive phi from {} to {}
+pivot O at (0 mm, 0 mm)
+link OA
+link AK
+slider K along y through O
+OA = 50 mm @ phi
+AK = 90 mm
+assembly K {}
+load F intensity 2 N/mm on OA along -y
+force M at K along y
+find k = M/F
+"""
+"""A crank that is square to its slider's line at 90 deg: neither load moves, and k runs on."""
+
+
+@pytest.mark.parametrize(("low", "high"), [("30 deg", "150 deg"), ("60 deg", "141 deg")])
+@pytest.mark.parametrize(
+    ("side", "kind", "value"), [("back", "maximum", 9 / 8), ("forward", "minimum", 9 / 28)]
+)
+def test_a_result_may_turn_where_its_formula_is_undetermined(low, high, side, kind, value):
+    """k = l/(2(l - r)) or l/(2(l + r)) there; rounding of 0/0 put the turn beside, or at once two.
+
+    In the first stroke 90 deg is among the places looked at, in the second one it lies between.
+    """
+    stroke = mechc.loads(SQUARE.format(low, high, side)).stroke(3)
+    (turn,) = stroke.extrema
+    assert turn.kind == kind
+    assert turn.drive == pytest.approx(math.pi / 2, abs=1e-8)
+    assert turn.value == pytest.approx(value, rel=1e-10)
+    assert not stroke.singular
+
+
+class OverNil:
+    """A result times sin x/sin x."""
+
+    def __init__(self, formula):
+        nil = Call("sin", (Symbol("x"),))
+        self.formula, self.where = Product((nil, formula, Power(nil, number(-1)))), ()
+
+    def of(self, formula, result, x):
+        try:
+            return evaluate(formula, {"x": x})
+        except ZeroDivisionError:
+            return math.nan
+
+    def form_at(self, result, x):
+        return result
+
+    def rounding(self, x):
+        return Rounding({"x": x})
+
+
+X = Symbol("x")
+GRID = [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3]
+
+
+def test_places_at_which_a_formula_alone_is_undetermined_are_left_out():
+    rising = OverNil(total([number(2), X]))
+    places = RemovablePlaces(rising, rising, 0.6)
+    assert places.is_one(0.0)
+    assert not places.is_one(0.1)
+    assert places.left_out(GRID) == [x for x in GRID if x]
+    assert places.turning(0.0) is None
+
+
+def test_beside_such_a_place_a_result_turns_where_it_does_from_both_sides():
+    turning = OverNil(total([number(2), product([(total([X, number("-1e-4")]), 2)])]))
+    places = RemovablePlaces(turning, turning, 0.6)
+    assert places.turning(0.0) == pytest.approx((1e-4, 2.0), abs=1e-9)
+    assert places.turning(0.1) is None
+
+
+@pytest.mark.parametrize("function", ["abs", "sign"])
+def test_a_pole_a_kink_or_a_jump_is_no_such_place(function):
+    bent = OverNil(total([number(2), Call(function, (X,))]))
+    assert not RemovablePlaces(bent, bent, 0.6).is_one(0.0)
+    pole = OverNil(Power(X, number(-1)))
+    assert not RemovablePlaces(pole, pole, 0.6).is_one(0.0)

@@ -103,6 +103,15 @@ SIDE = 1e-9
 JUMP_SIDES = (1e-9, 1e-8)
 """The parts of the stroke from a jump at which is seen what grows without end towards it."""
 
+ACROSS = 1e-3
+"""The part of a stroke from a place where a formula is 0/0 at which a result is right again.
+
+Rounding is left there in the thirteenth figure, and so is what a cubic is off in between.
+"""
+
+SMOOTH = 1e-2
+"""What a cubic may be off between its places, as a part of what it changes by: more is a kink."""
+
 BESIDE_END = 0.01
 """The part of a cell from an end of a part at which a turn before that end shows."""
 

@@ -1,7 +1,7 @@
 """Where a result is least and greatest along a stretch."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import product
 from typing import Literal
 
@@ -15,6 +15,7 @@ from ..tolerances import BESIDE_BRANCH_POINT, BESIDE_END, CONSTANT, SAME_RATIO, 
 from ..variables import spans
 from .friction import is_shown
 from .jumps import has_turns, is_on_the_stroke
+from .removable import RemovablePlaces
 from .rounded import is_nil, is_turning, rounded
 from .run import SAMPLES, StrokeRun
 from .singular import order_of, roots_at
@@ -59,9 +60,11 @@ def _on_stretch(
     breaks |= {b.drive: near for b in branches}
     grid = run.within(stretch)
     value = run.values(result.formula, result)
+    removable = RemovablePlaces(result, run.along, run.range)
     for part in parted(_with(grid, turns) if has_turns(result) else grid, breaks):
-        for valued in with_values(part, value) if has_turns(result) else [part]:
-            yield from _on_part(run, result, stretch, singular, valued)
+        whole = removable.left_out(part)
+        for valued in with_values(whole, value) if has_turns(result) else [whole]:
+            yield from _on_part(run, result, stretch, singular, valued, removable)
     for jump in (j for j in jumps if j.result == result.name and is_on_the_stroke(j, run)):
         if stretch.low < jump.drive < stretch.high:
             yield from beside_jump(jump, result, run.along, run.range)
@@ -143,6 +146,7 @@ def _on_part(
     stretch: StrokeInterval,
     singular: Sequence[Singular],
     part: Sequence[float],
+    removable: RemovablePlaces,
 ) -> Iterator[Extremum]:
     """Yield the extrema of a result on a part of a stretch.
 
@@ -150,10 +154,13 @@ def _on_part(
     """
     along = run.along
     poles = [*_poles(run, result, singular), *_own_poles(run, result, stretch)]
-    for one in extrema(result, run.drive.name, along, part):
+    for one in extrema(result, run.drive.name, along, part, removable.turning):
         if not is_shown(one, result) or order_of(run, result, one.drive) == "infinite":
             continue
         if not is_turning(one, result, along, part):
+            continue
+        if removable.is_one(one.drive):
+            yield one
             continue
         near_by = [p for p in poles if abs(one.drive - p) <= 2 * run.range / SAMPLES]
         if not near_by or turns_between(one, near_by, result, along):
@@ -178,11 +185,16 @@ def _own_poles(run: StrokeRun, result: Analysis, stretch: StrokeInterval) -> lis
 
 
 def extrema(
-    result: Analysis, drive: str, along: Sweep, grid: Sequence[float]
+    result: Analysis,
+    drive: str,
+    along: Sweep,
+    grid: Sequence[float],
+    across: Callable[[float], tuple[float, float] | None] = lambda _: None,
 ) -> Iterator[Extremum]:
     """Yield the extrema between values that lie close together.
 
-    A direction that passes half a turn goes on at the other end of its values.
+    A direction that passes half a turn goes on at the other end of its values. Where a formula is
+    0/0, ``across`` returns at which value the result turns beside, and what it is there.
     """
     values = [*map(along.function(result.formula, result), grid)]
     least = CONSTANT * _usual(values)
@@ -193,7 +205,7 @@ def extrema(
         if turns and change > least and not (_is_direction(result) and change > math.pi):
             sense = 1 if here <= after else -1
             near = _turning(result, drive, along, sense, (grid[i - 1], grid[i + 1]))
-            value = along.of(result.formula, result, near)
+            near, value = across(near) or (near, along.of(result.formula, result, near))
             if not sense * value <= sense * here:
                 near, value = grid[i], here
             yield Extremum(result.name, KINDS[sense], near, value)
