@@ -182,6 +182,29 @@ def test_where_k_is_nearly_infinite_it_moves_with_a_force_that_is_not(degrees):
     assert evaluate(code, {**given, "t2": math.radians(degrees)}) == pytest.approx(0.692, abs=2e-3)
 
 
+SPRING = """
+param a = 60 mm
+param b = 150 mm
+param phi = 90 deg in 60 deg .. 180 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (b, 0 mm)
+link OA
+telescope QA
+OA = a @ phi
+friction pins 0.1 diameter 10 mm
+spring 3 N/mm between Q and A free 60 mm
+torque M on OA
+find M
+"""
+
+
+def test_a_case_is_compared_with_the_spring_as_long_as_the_pose_has_it():
+    compilation = Compilation(Source("spring.mech", SPRING))
+    printed_cases = [r for r in compilation.results if r.holds]
+    assert {r.name for r in printed_cases} >= {"M_f", "M_hold", "eta_M"}
+    assert [said for r in printed_cases for said in printed(compilation, r)] == []
+
+
 def test_the_sampler_refutes_what_is_false_of_friction():
     """A state as given, a stretch outside the range that is wider, a case printed wrong."""
     text = (LIBRARY / "fedoriv_fig2a_with_friction.mech").read_text(encoding="utf-8")

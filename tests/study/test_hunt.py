@@ -5,17 +5,22 @@ from itertools import count
 from pathlib import Path
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
+import free_bodies_shown
 import hunt
 from conclusions import slopes
 from hunt import Outcome, looked_at, outcome, summary
 from hunted import KINDS, Hunted, Made, made
+from mechc.driver import Compilation
 from mechc.formula.tree import Call, Symbol, number, product, total
 from mechc.frozen import replace
 from mechc.model.result import Definition
 from mechc.pose.places import Plane
+from mechc.source import Source
 from refuters import REFUTERS
+from stroke_curves import PLACES, Curve, extrema
 
 RISING = """
 param alpha = 20 deg in 5 deg .. 80 deg
@@ -186,3 +191,47 @@ def test_nothing_that_is_said_of_a_mechanism_of_each_kind_is_refuted(kind):
     outcomes = filter(None, (outcome(kind, seed) for seed in range(98000000, 98000010)))
     done = next(one for one in outcomes if one.results)
     assert list(done.lines()) == []
+
+
+def efficiency_at_the_end_of_a_part(value: float) -> Curve:
+    """An efficiency that rises from 0.1, where on the other side nothing moves; seen at 0.1."""
+    seen = Curve.__new__(Curve)
+    seen.name, seen.size, seen.poles, seen.branches = "eta_k", 0.5, [], []
+    seen.places, seen.cell = np.linspace(0.0, 1.0, PLACES), 1 / (PLACES - 1)
+    seen.k = seen.places - 0.1
+    seen.at = lambda places: np.asarray(places) - 0.1
+    seen.stroke = SimpleNamespace(standstills=[SimpleNamespace(low=0.0999, high=0.1)])
+    seen.extrema = [SimpleNamespace(drive=0.1, value=value)]
+    return seen
+
+
+def test_an_efficiency_of_zero_where_nothing_moves_on_one_side_is_a_minimum():
+    assert list(extrema(efficiency_at_the_end_of_a_part(0.0))) == []
+    assert list(extrema(efficiency_at_the_end_of_a_part(0.2))) == ["k does not turn at 0.1"]
+
+
+AT_REST = """
+param t1 = 360 deg in 292.60 deg .. 412.60 deg
+param t2 = 270 deg in 200.17 deg .. 280.17 deg
+param t3 = 180 deg in 126.11 deg .. 306.11 deg
+pivot O
+slider A along 90 deg
+link AB
+link OBC
+AB = 137.2 mm @ t1
+OB = 137.4 mm @ t2
+OC = 81.3 mm @ t3
+force P at A along 90 deg
+force F at C along 180 deg
+friction pins 0.116 diameter 11.1 mm
+find k = P/F
+"""
+
+
+def test_a_picture_of_a_pose_at_rest_has_no_friction_there():
+    """The lever stands still for an instant: k_f is what it comes to next to that pose."""
+    made = Compilation(Source("rest.mech", AT_REST))
+    with_friction = next(r for r in made.results if r.name == "k_f")
+    assert with_friction.sides
+    assert with_friction.default
+    assert list(free_bodies_shown.refuted(made)) == []

@@ -15,7 +15,7 @@ from mechc.driver import Compilation
 from mechc.formula.walk import symbols
 from mechc.model.mechanism import Mechanism
 from mechc.model.parts.targets import SIGNS, Efficiency, WithFriction
-from mechc.model.values import defaults, independent
+from mechc.model.values import defaults, dependent, independent
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function
 from mechc.study.analysis import Analysis
@@ -230,13 +230,18 @@ def _is_inside(function: Function, known: Mapping[str, float]) -> bool:
 
 
 def _nearby(mechanism: Mechanism, result: Analysis) -> Iterator[Mapping[str, float]]:
-    """Yield the values given, values nearby, and farther away in the ranges."""
+    """Yield the values given, values nearby, and farther away in the ranges.
+
+    A load that follows from the pose, as a spring's force does, or is found, is none to be given.
+    """
     given = defaults(mechanism)
+    following = {*dependent(mechanism), *dict(result.where), *(f.name for f in mechanism.finds)}
+    free_loads = {load.name for load in mechanism.loads} - following
     for i, pose in enumerate(poses(mechanism, result, CASES, CASES)):
         part = 0.5 ** (i % 8) if i else 0.0
         free = {p.name for p in independent(mechanism)} & given.keys()
         moved = {n: given[n] + part * (pose[n] - given[n]) for n in free}
-        loads = {k.name: pose[k.name] for k in mechanism.loads if k.name in pose}
+        loads = {name: pose[name] for name in sorted(free_loads & pose.keys())}
         yield with_rest(mechanism, result, {**loads, **moved})
 
 

@@ -214,7 +214,9 @@ def extrema(seen: Curve) -> Iterator[str]:
             continue
         if not seen.is_near(place, stated, 2.0):
             yield f"k turns at {place}"
-    for place in stated:
+    for place, value in ((e.drive, e.value) for e in seen.extrema):
+        if value == 0 and seen.is_at_rest(place):  # on one side nothing moves
+            continue
         if not seen.is_near(place, [*seen.poles, *seen.branches], 3.0):
             before, here, after = seen.at([place - seen.cell / 2, place, place + seen.cell / 2])
             if before < here < after or before > here > after:
