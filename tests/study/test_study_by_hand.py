@@ -569,6 +569,17 @@ def test_beside_the_end_of_a_loop_something_may_move_between_two_jammed_values()
     assert list(_beside_ends(moving, [1e-6, 1.0, 2.0])) == []
 
 
+@pytest.mark.parametrize("top", [0.001, 0.999])
+def test_a_highest_efficiency_hides_in_the_cell_at_an_end(top):
+    """It rises to a kink within the first cell, or the last, whose middle is lower than its end."""
+
+    class Kink(ByHand):
+        def efficiency(self, x: float) -> float:
+            return 0.8 - 0.5 * abs(x - top)
+
+    assert min(abs(x - top) for x in values_looked_at(Kink(math.cos), 0.0, 1.0)) < 1e-5
+
+
 def test_what_definitions_share_is_gone_into_once_for_divisors():
     """x_i = x_(i-1) + sin x_(i-1) + 1/a: 2^60 ways lead down to the first."""
     below = power(Symbol("a"), number(-1))

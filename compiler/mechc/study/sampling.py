@@ -80,7 +80,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     grid = _with(grid, _beside_ends(moving, grid))
     grid = _with(grid, _in_cells(_edge, moving, grid))
     grid = _with(
-        grid, _bulging(moving, grid), _turning_beside_jumps(moving, grid), _loose(moving, grid)
+        grid, _bulging(moving, grid), _turning_beside_breaks(moving, grid), _loose(moving, grid)
     )
     return _with(grid, _extremes(moving, grid))
 
@@ -344,21 +344,27 @@ def _is_steady(values: Sequence[float]) -> bool:
     return len(values) == 4 and (all(rises) or all(falls))
 
 
-def _turning_beside_jumps(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
-    """Yield where an efficiency is lowest or highest within a cell that ends at a jump.
+def _turning_beside_breaks(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+    """Yield where an efficiency is lowest or highest within a cell that ends at a break.
 
-    Its neighbour beyond the jump shows nothing of that; a value just before it does.
+    No neighbour beyond a jump, or the end of a range, shows anything of that; a value just before
+    it does.
     """
     sections = FEWER if moving.is_slow else SECTIONS
-    for far, end, beyond in (*_triples(grid), *_triples(grid[::-1])):
-        if moving.signs(end) == moving.signs(beyond):
-            continue
+    for far, end in _before_breaks(moving, grid):
         first, final = moving.efficiency(far), moving.efficiency(end)
         inside = moving.efficiency(end + (far - end) * BEFORE_JUMP)
         for sense in (1, -1):
             if sense * inside < sense * final <= sense * first:
                 efficiency = partial(_signed, moving, sense)
                 yield lowest(efficiency, min(far, end), max(far, end), sections, THREE_FIGURES)
+
+
+def _before_breaks(moving: Moving, grid: Sequence[float]) -> Iterator[tuple[float, float]]:
+    """Yield the cells next to jumps and to the ends of a grid, from their far ends to these."""
+    for way in (grid, grid[::-1]):
+        jumps = ((a, b) for a, b, c in _triples(way) if moving.signs(b) != moving.signs(c))
+        yield from (*jumps, (way[-2], way[-1]))
 
 
 def _triples(grid: Sequence[float]) -> Iterator[tuple[float, float, float]]:
