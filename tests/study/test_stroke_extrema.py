@@ -1,4 +1,4 @@
-"""Where results are least and greatest along a stroke: beside jams, and where formulas are 0/0."""
+"""Where results are least, greatest or infinite along a stroke, beside jams, and what is 0/0."""
 
 import math
 
@@ -10,6 +10,7 @@ from mechc.formula.rounding import Rounding
 from mechc.formula.tree import Call, Power, Product, Symbol, number, product, total
 from mechc.study.stroke.extrema import with_values
 from mechc.study.stroke.removable import RemovablePlaces
+from small_mechanisms import slider_crank
 
 
 def of(stroke, name):
@@ -142,3 +143,54 @@ def test_a_pole_a_kink_or_a_jump_is_no_such_place(function):
     assert not RemovablePlaces(bent, bent, 0.6).is_one(0.0)
     pole = OverNil(Power(X, number(-1)))
     assert not RemovablePlaces(pole, pole, 0.6).is_one(0.0)
+
+
+TOGGLE = """
+param phi = 135 deg
+drive phi from 75 deg to 140 deg
+pivot O at (0 mm, 0 mm)
+link OA
+link AK
+slider K along y through O
+OA = 50 mm @ phi
+AK = 50 mm
+assembly K forward
+friction pins 0.1 diameter 8 mm
+load F intensity 2 N/mm on OA along -y
+force M at K along y
+find k = M/F
+"""
+"""Equal links, the first of which bears a load: k is 1/4 where both are square to the line."""
+
+
+def test_what_friction_makes_infinite_to_first_order_alone_is_stated():
+    """Friction in the pins takes 3fd/(8r sin 2 phi), which is infinite at 90 deg."""
+    (pole,) = mechc.loads(TOGGLE).stroke(3).singular
+    assert (pole.result, pole.value, pole.kind) == ("k_f1", "infinite", "other")
+    assert pole.drive == pytest.approx(math.pi / 2, abs=1e-12)
+
+
+def test_what_is_infinite_without_friction_is_stated_once():
+    """A slider drives its crank over both dead centres."""
+    text = slider_crank("friction pin B 0.2 diameter 40 mm", "find k = F/M")
+    poles = [s for s in mechc.loads(text).stroke(3).singular if s.value == "infinite"]
+    assert {s.result for s in poles} == {"k"}
+
+
+def test_where_a_load_is_infinite_is_stated():
+    """A cylinder holds a weight on a crank; at 60 deg its line passes through the pivot."""
+    text = """
+drive phi from 20 deg to 100 deg
+param phi = 30 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (50 mm, 86.60254037844386 mm)
+link OA
+telescope QA
+OA = 40 mm @ phi
+actuator N between Q and A
+weight W mass 5 kg at A
+find N
+"""
+    (pole,) = mechc.loads(text).stroke(3).singular
+    assert (pole.result, pole.value) == ("N", "infinite")
+    assert pole.drive == pytest.approx(math.radians(60), abs=1e-9)

@@ -292,5 +292,12 @@ CHECKS: tuple[Callable[[Curve], Iterator[str]], ...] = (
     extrema,
 )
 
-CHECKS_OF_FORCES = (values_of_extrema, sides_of_jumps, jumps, extrema, changes_of_sign)
+CHECKS_OF_FORCES = (
+    values_of_extrema,
+    sides_of_jumps,
+    jumps,
+    singular_poses,
+    extrema,
+    changes_of_sign,
+)
 """The last one is for forces that have a sign."""

@@ -102,6 +102,17 @@ class StrokeRun:
         return [r for r in self.results if isinstance(r.target, LoadForm)]
 
     @property
+    def first_order(self) -> list[Analysis]:
+        """Return the ratios and loads with friction to first order."""
+        return [
+            r
+            for r in self.results
+            if isinstance(r.target, WithFriction)
+            and r.target.order == "first"
+            and isinstance(r.target.of, LoadRatio | LoadForm)
+        ]
+
+    @property
     def signed(self) -> list[Analysis]:
         """Return the forces at joints that have a sign: components, and forces along rods."""
         return [r for r in self.results if has_sign(r.target)]

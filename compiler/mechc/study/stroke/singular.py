@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Literal
 
 from ...formula.evaluate import evaluate
-from ...formula.roots import RealFunction, Root, roots, spaced
+from ...formula.roots import RealFunction, Root, lowest, roots, spaced
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import symbols
 from ..analysis import Analysis, Break, Vanishing
@@ -44,7 +44,9 @@ def singular_along(
     branches: Sequence[ChangePoint],
     turns: Sequence[float] = (),
 ) -> tuple[Singular, ...]:
-    """Return the singular poses of ratios of loads and speeds, zeros of forces, jumps by friction.
+    """Return singular poses of ratios of loads and speeds, zeros of forces, jumps by friction.
+
+    Of loads poles are among them, and those that friction makes to first order.
 
     Friction turns round at ``turns``. Where a force at a joint is zero its sense changes: a rod is
     in compression, then in tension.
@@ -64,6 +66,13 @@ def singular_along(
         if not is_nil(force, run.along, stretch)
         for zero in _zeros_of(force, run, stretch)
     ]
+    found += [
+        pole
+        for stretch in stretches
+        for force in (*run.forms, *run.first_order)
+        if not is_nil(force, run.along, stretch)
+        for pole in _poles_of(force, run, stretch)
+    ]
     jumped = (one.drive for one in found if one.kind == "jump")
     found += jumps_along(run, stretches, (*turns, *jumped))
     orders = {r.name: partial(order_of, run, r) for r in run.results}
@@ -75,6 +84,37 @@ def _zeros_of(force: Analysis, run: StrokeRun, stretch: StrokeInterval) -> Itera
     size = run.along.function(force.formula, force)
     for root in _other_zeros(size, run.within(stretch), []):
         yield Singular(force.name, "0", "other", *root, None)
+
+
+def _poles_of(force: Analysis, run: StrokeRun, stretch: StrokeInterval) -> Iterator[Singular]:
+    """Yield where a load is infinite, or friction to first order makes a result so.
+
+    What is infinite without friction is stated without it.
+    """
+    ideal = [r for r in run.results if r.target == getattr(force.target, "of", None)]
+    size = run.along.function(force.formula, force)
+    for x in peaks(size, run.within(stretch)):
+        orders = [order_of(run, one, x) for one in (force, *ideal)]
+        if orders[0] == "infinite" and "infinite" not in orders[1:]:
+            yield Singular(force.name, "infinite", "other", x, math.ulp(x), None)
+
+
+def peaks(function: RealFunction, grid: Sequence[float]) -> Iterator[float]:
+    """Yield where the size of a function is greatest between values, which may be a pole.
+
+    >>> [round(x, 9) for x in peaks(lambda x: 3 - abs(x - 1.3), [0.0, 1.0, 2.0, 3.0, 4.0])]
+    [1.3]
+    """
+
+    def size(x: float) -> float:
+        value = abs(function(x))
+        return math.inf if math.isnan(value) else value
+
+    values = [*map(size, grid)]
+    for i in range(1, len(grid) - 1):
+        before, here, after = values[i - 1 : i + 2]
+        if before < here >= after and max(before, after) < math.inf:
+            yield lowest(lambda x: -size(x), grid[i - 1], grid[i + 1])
 
 
 def order_of(
