@@ -15,6 +15,7 @@ def missing_direction(
     near: str = "",
     rod: str = "",
     fall_to: str = "",
+    unplaced: str = "",
 ) -> Message:
     """A direction is needed and nothing gives it.
 
@@ -40,7 +41,9 @@ def missing_direction(
     place = f"say where the guide of {guided} lies, `slider {guided} along … through {near}`, or "
     length = f"give the length of {rod}, `{rod} = 100 mm`, for a loop to close, or "
     fall = f"write it behind the point at which the fall ends, `{fall_to} along y`, or "
-    first = place if guided else length if rod else fall if fall_to else ""
+    pivot = f"say where {unplaced} is, `pivot {unplaced} at (0 mm, 0 mm)`, or "
+    hints = ((guided, place), (rod, length), (fall_to, fall), (unplaced, pivot))
+    first = next((hint for name, hint in hints if name), "")
     return Message(
         at,
         f"{for_what} needs the direction of {points}, and nothing gives it",

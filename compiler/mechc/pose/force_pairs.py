@@ -9,7 +9,7 @@ from ..algebra.trigonometry import sine
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..diagnostics import power as power_words
-from ..model.mechanism import ForcePair, Mechanism
+from ..model.mechanism import ForcePair, Mechanism, Pivot
 from ..named import NamedTuple
 from .pose import Arm, PoseDefinition, Vector, evaluate_vector
 from .samples import is_behind, poses_nearby
@@ -40,7 +40,8 @@ def thrust_line(thrust: ForcePair, pairing: Pairing) -> Angle:
     if not vector:
         pairs = f"{thrust.first}{thrust.second}"
         what = f"the {'spring' if thrust.spring else 'actuator'} {thrust.name}"
-        pairing.report.add(messages.missing_direction(thrust.span, pairs, what))
+        unplaced = _without_place(thrust, pairing)
+        pairing.report.add(messages.missing_direction(thrust.span, pairs, what, unplaced=unplaced))
         return Angle()
     if _lacks_length(thrust, vector, pairing):
         return Angle()
@@ -53,6 +54,17 @@ def thrust_line(thrust: ForcePair, pairing: Pairing) -> Angle:
         vector = pairing.vectors.path(thrust.first, thrust.second) or vector
     (arm,) = vector
     return _along(thrust, arm, pairing)
+
+
+def _without_place(thrust: ForcePair, pairing: Pairing) -> str:
+    """Return a pivot without a place from which vectors lead to an end of a pair, '' for none."""
+    path, pivots = pairing.vectors.path, pairing.mechanism.each(Pivot)
+    for end in (thrust.first, thrust.second):
+        if path(end, "") is None:
+            near = next((p.point for p in pivots if path(end, p.point) is not None), "")
+            if near:
+                return near
+    return ""
 
 
 def _lacks_length(thrust: ForcePair, vector: Vector, pairing: Pairing) -> bool:
