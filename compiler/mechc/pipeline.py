@@ -272,7 +272,7 @@ class Pipeline:
         if self.pose.loops and any(p.range for p in self.pose.mechanism.parameters):
             from .study.open_ranges import remark
 
-            remark(self.pose, self.report)
+            remark(self.plan, self.report)
 
     @Stage
     def derivation(self) -> "Derivation":

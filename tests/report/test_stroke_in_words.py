@@ -10,8 +10,7 @@ from mechc.report.languages.registry import locale
 from mechc.report.text.stroke import ENDS, KINDS, to_table
 from mechc.study.analysis import NoCentre
 from mechc.study.intervals import DriveState
-from mechc.study.open_ranges import NO_POSE
-from mechc.study.pose_sweep import EXCLUDED
+from mechc.study.pose_sweep import EXCLUDED, NO_POSE
 from mechc.study.stroke.stretches import BEYOND, FLAT
 from mechc.study.stroke.stroke import OnTheWay
 from mechc.syntax.vocabulary import LANGUAGES

@@ -8,7 +8,7 @@ from mechc.formula.tree import Call, Symbol, System, implicit, negative, number,
 from mechc.frozen import replace
 from mechc.model.mechanism import Parameter
 from mechc.study.expectations import _in_units
-from mechc.study.open_ranges import NOT_ASSEMBLED, NOT_REACHED, why_open
+from mechc.study.pose_sweep import NOT_ASSEMBLED, NOT_REACHED, why_open
 from mechc.units import LENGTH
 from small_poses import HERE, slider_crank
 

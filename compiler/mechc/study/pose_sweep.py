@@ -10,20 +10,29 @@ from typing import TYPE_CHECKING, TypeVar
 
 from ..algebra.product import Product
 from ..formula import continuation, rounded_columns
+from ..formula.evaluate import status
 from ..formula.rounding import EPS, Rounded, Rounding
 from ..formula.straight_line import SystemSolver, in_order
-from ..formula.tree import Formula, System
+from ..formula.tree import Formula, Implicit, System
 from ..kinematics.plan import Plan
 from ..model.result import Result
 from ..model.values import Chain, Completion, Values, defaults, following, user_defined
-from . import open_ranges
 from .forms import SOON, FormulaCode, form, holding, together
 
 if TYPE_CHECKING:
     from ..formula.roots import RealFunction
     from ..formula.rounded_columns import RoundedColumns
 
+NOT_ASSEMBLED = "cannot be assembled"
+NOT_FOUND = "iteration finds no pose"
+NOT_REACHED = "no pose is reached from the default one"
+NO_POSE = (NOT_ASSEMBLED, NOT_REACHED, NOT_FOUND)
+"""From what is most surely known to what is least."""
+
 EXCLUDED = "excluded by a condition of use"
+
+RANGE_HALVINGS = 40
+"""After so many nothing is left of a range that is shown."""
 
 T = TypeVar("T")
 
@@ -132,8 +141,12 @@ class PoseSweep:
 
     def _trouble(self, values: Values) -> str:
         if not all(map(math.isfinite, self._found(values))):
-            return open_ranges.why_open(self.code.closing, values) or open_ranges.NOT_ASSEMBLED
+            return why_open(self.code.closing, values) or NOT_ASSEMBLED
         return "" if self._is_allowed(values) else EXCLUDED
+
+    def is_allowed(self, x: float) -> bool:
+        """Return whether the conditions of use hold at a value of the parameter."""
+        return self._is_allowed(self.values(x))
 
     @cached_property
     def _found(self) -> Callable[[Values], Sequence[float]]:
@@ -200,6 +213,34 @@ class PoseSweep:
     @cached_property
     def _fixed_inside(self) -> Values:
         return self.code.inner.complete(self._fixed)
+
+
+def why_open(definitions: Mapping[str, Formula], values: Values) -> str:
+    """Return why what loops define has no value, "" where all of it has one.
+
+    Of the closures of a system one is followed, to its end: what rests on it may have a value
+    in another one.
+    """
+    named = [(n, f) for n, f in definitions.items() if n in values]
+    last = next((i for i, (n, _) in enumerate(named) if not math.isfinite(values[n])), None)
+    if last is None:
+        return ""
+    broken = named[last][1]
+    if isinstance(broken, Implicit) and status(broken, values) == 2:
+        return NOT_FOUND
+    is_followed = any(isinstance(f, Implicit) for _, f in named[: last + 1])
+    return NOT_REACHED if is_followed else NOT_ASSEMBLED
+
+
+def last_that(meets: Callable[[float], bool], good: float, bad: float) -> float:
+    """Return the last value that meets something between one that does and one that does not."""
+    for _ in range(RANGE_HALVINGS):
+        middle = (good + bad) / 2
+        if meets(middle):
+            good = middle
+        else:
+            bad = middle
+    return good
 
 
 def _continued(system: System) -> SystemSolver:

@@ -8,15 +8,11 @@ from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
 from ...kinematics.plan import Plan
 from ...model.values import range_of
-from ..open_ranges import NO_POSE
-from ..pose_sweep import PoseCode, PoseSweep
+from ..pose_sweep import NO_POSE, PoseCode, PoseSweep, last_that
 from ..tolerances import FLAT_LOOP
 
 CELLS = 120
 """Cells of a stroke whose ends are looked at."""
-
-HALVINGS = 40
-"""After so many nothing is left of a cell that is shown."""
 
 StrokePart = tuple[float, float]
 
@@ -42,24 +38,18 @@ def remark(plan: Plan, report: Report) -> tuple[StrokePart, ...]:
 
 
 def _parts(along: PoseSweep, grid: list[float]) -> Iterator[StrokePart]:
-    closed = [along.trouble(x) not in NO_POSE for x in grid]
+    """Yield the parts between points of a grid, each as far as a loop does not close."""
+
+    def closes(x: float) -> bool:
+        return along.trouble(x) not in NO_POSE
+
+    closed = list(map(closes, grid))
     start = None if closed[0] else grid[0]
     for (a, b), (before, after) in zip(pairwise(grid), pairwise(closed), strict=True):
         if before and not after:
-            start = _edge(along, a, b)
+            start = last_that(closes, a, b)
         elif after and not before and start is not None:
-            yield start, _edge(along, b, a)
+            yield start, last_that(closes, b, a)
             start = None
     if start is not None:
         yield start, grid[-1]
-
-
-def _edge(along: PoseSweep, good: float, bad: float) -> float:
-    """Return the last value that closes between one that does and one that does not."""
-    for _ in range(HALVINGS):
-        middle = (good + bad) / 2
-        if along.trouble(middle) in NO_POSE:
-            bad = middle
-        else:
-            good = middle
-    return good

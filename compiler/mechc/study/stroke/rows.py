@@ -18,7 +18,7 @@ from ...model.parts.targets import Efficiency, WithFriction
 from ...model.result import Definition
 from ...model.values import own_unit
 from ...units import ANGLE, LENGTH, Dimension
-from ..open_ranges import NO_POSE
+from ..pose_sweep import NO_POSE
 from ..states import is_sign
 from ..sweep import Sweep
 from ..tolerances import SAME_SIDES, SIDE, STRAIGHT, VANISHING

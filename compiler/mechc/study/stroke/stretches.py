@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from ...named import NamedTuple
-from ..open_ranges import NO_POSE
+from ..pose_sweep import NO_POSE
 from ..tolerances import AT_BRANCH_POINT, BRANCH_POINT, CROSSING, SAME_VALUE
 from .ends import end_of_branch
 from .run import StrokeRun
