@@ -538,3 +538,29 @@ def test_loads_masses_and_components_say_what_they_are():
     said["$y_{OA}$"] = "vertical component of the vector $OA$"
     for symbol, what in said.items():
         assert what in rows[symbol]
+
+
+def test_in_the_terminal_components_say_what_they_are():
+    """A parameter that is one component is called so, one that is a length besides is not."""
+    source = """
+    mechanism crank
+    param b = 90 mm
+    param d = 70 mm
+    pivot O
+    slider K along x
+    link OAB
+    link BK
+    OA = (d, 10 mm)
+    OB = (60 mm, b)
+    BK = b @ -20 deg
+    force P at A along -y
+    force F at K along -x
+    find k = P/F
+    """
+    found = compile_source(Source("crank.mech", source))
+    assert isinstance(found, Compilation)
+    text = render(found.derivation, found.mechanism)
+    lines = [" ".join(line.split()) for line in text.splitlines()]
+    assert "b = 90 mm" in lines
+    assert "d = 70 mm horizontal component of the vector OA" in lines
+    assert "x_OB = 60 mm horizontal component of the vector OB" in lines

@@ -80,8 +80,8 @@ def template(name: str) -> str:
 
 
 def test_library_reports_say_no_more_than_there_is() -> None:
-    text = find("three_claw_gripper").read_text("utf-8").split("translate:")[0]
-    plain = mechc.loads(re.sub(r"  # .*", "", text), "claw.yaml").emit("latex")
+    text = find("crank_slider").read_text("utf-8").split("translate")[0]
+    plain = mechc.loads(re.sub(r"  # .*", "", text)).emit("latex")
     labelled = loaded("wheelbarrow").emit("latex")
     assert "Quantity" not in plain
     assert "Range" not in loaded("shoe_brake").emit("latex")

@@ -15,7 +15,16 @@ from ..formula.names import split_points
 from ..formula.tree import HALF, Formula, Number, Product, Sum, Symbol, product
 from ..formula.walk import walk
 from ..frozen import replace
-from ..model.mechanism import Force, ForcePair, Geometry, Mechanism, Parameter, Turn
+from ..model.mechanism import (
+    Arrow,
+    Force,
+    ForcePair,
+    Geometry,
+    Mechanism,
+    Offset,
+    Parameter,
+    Turn,
+)
 from ..model.parts.friction import (
     CollarFriction,
     FaceFriction,
@@ -54,15 +63,32 @@ def with_roles(
 def with_places(
     parameters: Iterable[Parameter], mechanism: Mechanism, words: Mapping[str, str]
 ) -> Iterator[Parameter]:
-    """Yield quantities; coordinates and radii that are numbers with the point that they are of."""
+    """Yield quantities; coordinates and radii with the point, components with the vector.
+
+    These are numbers in the description, or parameters that are nothing but one coordinate.
+    """
     literals = {literal.name for literal in mechanism.literals}
     made = literals | {name for turn in mechanism.geometry for name in _drawn_angle(turn)}
+    sizes = _sizes(mechanism.geometry)
     for parameter in parameters:
-        role, of = _place(parameter.name, mechanism.spans)
-        is_own = parameter.name in made and not parameter.label
-        yield (
-            replace(parameter, label=words[role].format(point=of)) if is_own and role else parameter
-        )
+        name = parameter.name
+        role, of = _place(name, mechanism.spans) if name in made else sizes.get(name, ("", ""))
+        is_bare = role and not parameter.label and not parameter.about
+        yield replace(parameter, label=words[role].format(point=of)) if is_bare else parameter
+
+
+def _sizes(geometry: Iterable[Geometry]) -> dict[str, Role]:
+    """Return the quantities that are nothing but one coordinate or component, and of what it is."""
+    met: dict[str, list[Role]] = {}
+    for item in geometry:
+        if isinstance(item, Offset):
+            of = "component" if item.tail else "coordinate"
+            for axis, size in (("x", item.x), ("y", item.y)):
+                if isinstance(size, Symbol):
+                    met.setdefault(size.name, []).append((f"{axis} {of}", item.tail + item.head))
+        elif isinstance(item, Arrow) and isinstance(item.length, Symbol):
+            met.setdefault(item.length.name, []).append(("", ""))
+    return {name: roles[0] for name, roles in met.items() if len(roles) == 1}
 
 
 def _drawn_angle(item: Geometry) -> tuple[str, ...]:

@@ -20,7 +20,7 @@ from ...model.mechanism import (
 from ...model.values import is_constant, own_stroke
 from ...units import in_unit, si_unit
 from ..definitions import given_loads
-from ..roles import with_roles
+from ..roles import with_places, with_roles
 from . import note
 from .printer import print_name, print_quantity
 from .speller import VALUE_DIGITS, TextSpeller
@@ -45,7 +45,8 @@ def given(
     quantities = (*chosen, *literals, *given_loads(mechanism))
     tied = _tied(mechanism, spell, met, defined)
     angles = dict.fromkeys((*tied, *_angles(mechanism, met, spell)))
-    known = with_roles(quantities, mechanism, spell.locale.roles)
+    words = spell.locale.roles
+    known = with_places(with_roles(quantities, mechanism, words), mechanism, words)
     lines = note.given(known, spell, angles, values)
     said = [line for each in _directions(mechanism, spell) for line in spell.wrapped(each, "  ")]
     heading = [spell.locale.given] if said and not lines else []

@@ -119,6 +119,8 @@ LOCALE = Locale(
         "couple": "couple",
         "mass": "mass",
         "intensity": "intensity",
+        "x coordinate": "horizontal coordinate of {point}",
+        "y coordinate": "vertical coordinate of {point}",
         "x component": "horizontal component of the vector {point}",
         "y component": "vertical component of the vector {point}",
     },

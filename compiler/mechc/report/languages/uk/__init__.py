@@ -126,6 +126,8 @@ LOCALE = Locale(
         "couple": "момент",
         "mass": "маса",
         "intensity": "інтенсивність навантаження",
+        "x coordinate": "горизонтальна координата точки {point}",
+        "y coordinate": "вертикальна координата точки {point}",
         "x component": "горизонтальна складова вектора {point}",
         "y component": "вертикальна складова вектора {point}",
     },
