@@ -56,6 +56,33 @@ def test_a_ratio_that_turns_in_a_range_is_least_and_greatest_where_it_is_said_to
     assert "the least k is 4.1915 mm, at phi = 150 deg" in said
 
 
+SQUARE_AT_THE_START = """
+param a = 50 mm
+param b = 90 mm
+param phi = 120 deg in 90 deg .. 165 deg
+drive phi from 90 deg to 165 deg
+pivot O at (0 mm, 0 mm)
+link OA
+link AK
+slider K along y through O
+OA = a @ phi
+AK = b
+assembly K forward
+load F intensity 2 N/mm on OA along -y
+force M at K along y
+find k = M/F
+"""
+
+
+def test_a_ratio_that_is_rounding_at_an_end_is_what_it_comes_to_there():
+    """Neither load moves at 90 deg: the formula is 0/0 there, and k comes to b/(2 (a + b))."""
+    compilation = Compilation(Source("square.mech", SQUARE_AT_THE_START))
+    (k,) = compilation.reported.results
+    (extent,) = k.extents
+    assert extent.least[:2] == pytest.approx((math.pi / 2, 9 / 28), rel=1e-9)
+    assert list(along(compilation)) == []
+
+
 def test_a_ratio_of_speeds_is_followed_as_one_of_loads_is():
     compilation = of_library("triple_rocker.mech")
     k, i = compilation.reported.results

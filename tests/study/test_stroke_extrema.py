@@ -22,7 +22,8 @@ def test_parts_on_which_a_result_has_values_end_where_it_has_none():
     assert [*with_values(grid, lambda _: 1.0)] == [grid]
     assert not [*with_values(grid, lambda _: math.nan)]
     (part,) = with_values(grid, lambda x: 1.0 if x > 1.5 else math.nan)
-    assert part == pytest.approx([1.5, 1.505, 2, 3, 3.99, 4], abs=1e-9)
+    inner = [2, 3, 3.53, 3.77, 3.9, 3.99, 4]
+    assert part == pytest.approx([1.5, 1.51, 1.6, 1.73, 1.97, *inner], abs=1e-9)
     (island,) = with_values(grid, lambda x: 1.0 if abs(x - 1) < 0.25 else math.nan)
     assert island == pytest.approx([0.75, 0.7525, 1, 1.2475, 1.25], abs=1e-9)
 
@@ -61,6 +62,16 @@ def test_a_result_that_turns_in_the_cell_next_to_a_jam_has_an_extremum():
             pytest.approx(found[greatest], rel=1e-6),
         )
     ]
+
+
+def test_the_cell_next_to_a_jam_is_looked_at_closely_whatever_places_are_at_its_end():
+    """It jams up to 0.5, and a place of the grid is one millionth beyond."""
+    grid = [0.0, 0.4, 0.5 + 1e-6, 0.8, 1.2]
+    (part,) = with_values(grid, lambda x: x if x >= 0.5 else math.nan)
+    assert part[0] == pytest.approx(0.5, abs=1e-9)
+    assert part[-1] == 1.2
+    close = [x for x in part if 0.501 < x < 0.8]
+    assert close == pytest.approx([0.504, 0.54, 0.592, 0.688])
 
 
 SQUARE = """

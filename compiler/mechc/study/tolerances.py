@@ -115,6 +115,9 @@ SMOOTH = 1e-2
 BESIDE_END = 0.01
 """The part of a cell from an end of a part at which a turn before that end shows."""
 
+BESIDE_JAM = (0.01, 0.1, 0.23, 0.47)
+"""The parts of a cell from a jam at which a result is looked at: it may turn twice there."""
+
 BESIDE_ZERO = 1e-7
 """The part of a stroke by which a simple zero is left, at the least: values are beyond rounding."""
 

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import product
+from itertools import pairwise, product
 from typing import Literal
 
 from ...formula.jumps import BESIDE_JUMP
@@ -11,7 +11,14 @@ from ...frozen import replace
 from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
 from ..sweep import Sweep
-from ..tolerances import BESIDE_BRANCH_POINT, BESIDE_END, CONSTANT, SAME_RATIO, SAME_VALUE
+from ..tolerances import (
+    BESIDE_BRANCH_POINT,
+    BESIDE_END,
+    BESIDE_JAM,
+    CONSTANT,
+    SAME_RATIO,
+    SAME_VALUE,
+)
 from ..variables import spans
 from .friction import is_shown
 from .jumps import has_turns, is_on_the_stroke
@@ -118,7 +125,14 @@ def with_values(part: Sequence[float], value: RealFunction) -> Iterator[Sequence
     for low, high in spans(part, lambda x: math.isfinite(value(x))):
         is_whole = (low, high) == (part[0], part[-1])
         if low < high:
-            yield part if is_whole else _part([x for x in part if low < x < high], low, high)
+            yield part if is_whole else _up_to_jams(part, low, high)
+
+
+def _up_to_jams(part: Sequence[float], low: float, high: float) -> list[float]:
+    """Return the places of a grid between two ends, and closer ones in the cells next to these."""
+    cell = max(b - a for a, b in pairwise(part))
+    near = [x for d in BESIDE_JAM for x in (low + d * cell, high - d * cell)]
+    return sorted({low, high, *(x for x in (*part, *near) if low < x < high)})
 
 
 def _part(inner: Sequence[float], first: float, last: float) -> list[float]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from ...diagnostics import Report
+from ...formula.jumps import BESIDE_JUMP, side
 from ...formula.roots import spaced
 from ...formula.tree import Formula
 from ...friction.solution import FrictionSolution
@@ -180,5 +181,12 @@ def _extremes(
         for e in stroke.extrema
         if e.result == result.name and _is_on(e.drive, part)
     ]
-    ends = (part.low, part.high)
-    return [*inner, *(Extreme(x, along.of(result.formula, result, x)) for x in ends)]
+    ends = ((part.low, part.high), (part.high, part.low))
+    return [*inner, *(Extreme(x, _at_end(result, along, x, other)) for x, other in ends)]
+
+
+def _at_end(result: Analysis, along: Sweep, x: float, other: float) -> float:
+    """Return a ratio at one of two ends: where rounding alone is left, what it comes to there."""
+    value = along.function(result.formula, result)
+    known = along.beyond_rounding(result, x, value(x))
+    return side(value, x, (other - x) * BESIDE_JUMP) if known is None else known
