@@ -180,7 +180,18 @@ class Compilation(Pipeline):
         if figure is None:
             return ()
         with within(Allowance(), self.report):
-            return diagrams(self.pose, self.solution.results, figure.values, figure.points, loads)
+            beside = {} if values else self._beside_rest()
+            results = self.solution.results
+            return diagrams(self.pose, results, figure.values, figure.points, loads, beside)
+
+    def _beside_rest(self) -> Mapping[str, float]:
+        """Return the values of a pose beside the default one, where results are the limit there."""
+        from .friction import at_rest
+
+        resting = (r for r in self.solution.results if len(r.sides) == 1)
+        moved = next((at_rest.beside(r, self.pose) for r in resting), {})
+        figure = self.drawn(moved) if moved else None
+        return figure.values if figure else {}
 
     def titled(self, language: str) -> str:
         """Return the title in a language, if it is translated; the name where there is none."""

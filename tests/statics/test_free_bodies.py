@@ -18,6 +18,7 @@ from mechc.model.mechanism import LoadForm, LoadRatio, WithFriction
 from mechc.model.parts.friction import FaceFriction, GuideFriction, PinFriction
 from mechc.report.text.free_bodies import describe
 from mechc.source import Source
+from small_mechanisms import slotted_lever
 from sources import in_thirds
 
 every_mechanism = pytest.mark.parametrize("name", in_thirds(ALL))
@@ -469,3 +470,16 @@ def test_a_pin_passes_on_a_couple_of_friction_where_it_passes_on_no_force():
     (at_crank,) = (a for a in named(diagram)["OA"].forces if a.kind == "pin")
     assert math.hypot(*at_crank.force) == 0.0
     assert abs(at_crank.moment) == pytest.approx(0.1 * 0.01 * 1.0)
+
+
+def test_the_bodies_of_a_joint_that_does_not_slide_show_what_its_result_is():
+    """Friction is 0.3 of the normal force, one way or the other, and M is the limit of both."""
+    mechanism = mechc.loads(slotted_lever())
+    _, diagram = mechanism.free_bodies()
+    stroke = mechanism.stroke(3)
+    k_f = dict(zip((c.name for c in stroke.columns), stroke.rows[1].values, strict=True))["k_f"]
+    assert diagram.loads["M"] == pytest.approx(k_f, rel=1e-9)
+    slot = [a for a in named(diagram)["OE"].forces if a.point == "A"]
+    along, across = (abs(math.fsum(getattr(a.force, axis) for a in slot)) for axis in "yx")
+    assert along == pytest.approx(0.3 * across, rel=1e-9)
+    assert_balance([diagram], mechanism.figure())

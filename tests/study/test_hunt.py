@@ -19,8 +19,10 @@ from mechc.frozen import replace
 from mechc.model.result import Definition
 from mechc.pose.places import Plane
 from mechc.source import Source
+from page import Page
 from refuters import REFUTERS
-from stroke_curves import PLACES, Curve, extrema
+from small_mechanisms import slotted_lever
+from stroke_curves import PLACES, Curve, extrema, values_of_extrema
 
 RISING = """
 param alpha = 20 deg in 5 deg .. 80 deg
@@ -228,10 +230,33 @@ find k = P/F
 """
 
 
-def test_a_picture_of_a_pose_at_rest_has_no_friction_there():
+def test_a_picture_of_a_pose_at_rest_has_the_friction_beside_it():
     """The lever stands still for an instant: k_f is what it comes to next to that pose."""
     made = Compilation(Source("rest.mech", AT_REST))
     with_friction = next(r for r in made.results if r.name == "k_f")
     assert with_friction.sides
     assert with_friction.default
     assert list(free_bodies_shown.refuted(made)) == []
+
+
+def test_on_a_page_of_a_pose_at_rest_a_number_is_what_code_comes_to_beside_it(tmp_path):
+    found = hunted(tmp_path, slotted_lever())
+    assert list(REFUTERS["page"](found)) == []
+    page = Page(found.compilation)
+    limit = found.compilation.results[1].default
+    assert page.printed()["k_f"] == pytest.approx(limit, rel=1e-7)
+    assert page.code["k_f"] != pytest.approx(limit, rel=1e-5)
+
+
+def at_a_place_of_its_own(value: float) -> Curve:
+    """A result that is least at 0.5, where code has no friction: it is 1 there, not 2."""
+    seen = Curve.__new__(Curve)
+    seen.size, seen.range, seen.cell, seen.jumps = 2.0, 1.0, 1 / (PLACES - 1), []
+    seen.at = lambda places: np.where(np.asarray(places) == 0.5, 1.0, 2 + abs(places - 0.5))
+    seen.extrema = [SimpleNamespace(drive=0.5, value=value)]
+    return seen
+
+
+def test_an_extremum_at_a_pose_at_rest_is_the_limit_from_both_sides():
+    assert list(values_of_extrema(at_a_place_of_its_own(2.0))) == []
+    assert len(list(values_of_extrema(at_a_place_of_its_own(1.5)))) == 1

@@ -11,7 +11,7 @@ import pytest
 
 import mechc
 from mechc.cli.main import main
-from small_mechanisms import lifter, slider_crank
+from small_mechanisms import lifter, slider_crank, slotted_lever
 from sources import in_thirds
 
 CRANK = slider_crank("friction pins 0.12 diameter 20 mm", "friction slider B 0.1")
@@ -96,22 +96,7 @@ find m = M/F
     assert [row.values[place] for row in stroke.rows] == [0.0] * 9
 
 
-SLOT = """mechanism slot
-pivot O at (0 mm, 0 mm)
-pivot C at (0 mm, 150 mm)
-link CA
-link OE
-A at (0 mm, 200 mm)
-E at (0 mm, 350 mm)
-slot A in OE
-drive CA from 10 deg to 170 deg
-torque M on CA
-force F at E along x
-friction contact A 0.3
-friction pins 0.2 diameter 40 mm
-find k = M/F
-"""
-"""A crank in line with a slotted lever, in the middle of its stroke: the pin turns back there."""
+SLOT = slotted_lever()
 
 
 @pytest.mark.parametrize("name", ["k_f", "k_hold", "eta_k"])

@@ -77,15 +77,12 @@ def _are_opposite(here: Acting, there: Acting, sizes: Sizes) -> bool:
 
 
 def _loads(diagram: Diagram, compilation: Compilation) -> Iterator[str]:
-    """Yield the loads that act in another size than a result has it.
-
-    A joint that does not slide for an instant has no friction in a picture; results have sides.
-    """
+    """Yield the loads that act in another size than a result has it."""
     (result,) = (r for r in compilation.results if r.name == diagram.result)
     suffix = {"tightening": "_f", "releasing": "_f", "": ""}[diagram.motion]
     found = next((r for r in compilation.results if r.name == f"{result.name}{suffix}"), None)
     above = getattr(result.target, "above", None)
-    if found is None or found.sides or not math.isfinite(found.default or math.nan):
+    if found is None or found.default is None or not math.isfinite(found.default):
         return
     if diagram.per and above in diagram.loads and not diagram.trouble:
         size = diagram.loads[above] / diagram.loads[diagram.per]

@@ -15,6 +15,7 @@ from mechc.emit.target import Options
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Call, Formula, number
 from mechc.formula.walk import children, rebuild, symbols
+from mechc.friction import at_rest
 from mechc.model.values import completed, holds
 from mechc.report.latex.document_style import style_of
 from mechc.report.latex.notation import name, notation
@@ -47,10 +48,10 @@ class Page:
         (emitted,) = TARGET.emit(compilation, Options("page", numbers=False, by=by))
         self.tex = emitted.text
         results = compilation.derivation.results
-        style = style_of(compilation.mechanism, results, notation("en"))
+        self.style = style_of(compilation.mechanism, results, notation("en"))
         self.code = dict(self._values())
-        self.spelled = {name(symbol, style): value for symbol, value in self.code.items()}
-        self.open = {name(r.name, style) for r in compilation.results if not self._holds(r)}
+        self.spelled = {name(symbol, self.style): value for symbol, value in self.code.items()}
+        self.open = {name(r.name, self.style) for r in compilation.results if not self._holds(r)}
 
     def _values(self) -> Iterator[tuple[str, float]]:
         """Yield the values of all names at the default pose, loads without one being 1."""
@@ -64,6 +65,26 @@ class Page:
             new = (d for d in result.where if d.name not in values)
             values = completed(values, ((d.name, _on_paper(d.formula)) for d in new))
         yield from values.items()
+
+    def printed(self) -> dict[str, float]:
+        """Return the values of names that have one, by how they are spelled, as they are printed.
+
+        Where a joint does not slide for an instant that is the limit, which code has beside it.
+        """
+        values = {**self.spelled, **dict(self._limits())}
+        return {name: value for name, value in values.items() if name not in self.open}
+
+    def _limits(self) -> Iterator[tuple[str, float]]:
+        """Yield what code comes to beside the default pose, of results with one limit there."""
+        for result in self.compilation.results:
+            if len(result.sides) == 1:
+                function = next(
+                    f for f in self.compilation.routine.functions if f.name == result.name
+                )
+                moved = at_rest.beside(result, self.compilation.pose)
+                farther = {n: 2 * x - self.code[n] for n, x in moved.items()}
+                near, far = (run(function, {**self.code, **at}) for at in (moved, farther))
+                yield name(result.name, self.style), float(2 * near - far)
 
     def _holds(self, result: Analysis) -> bool:
         """Tell whether a result has a value here, by the case that is printed."""

@@ -206,8 +206,7 @@ def page(found: Hunted) -> Iterator[str]:
     read = Page(found.compilation)
     yield from read.wrong()
     (document,) = LATEX.emit(found.compilation, Options("page"))
-    known = {name: value for name, value in read.spelled.items() if name not in read.open}
-    units = PrintedUnits(document.text, known)
+    units = PrintedUnits(document.text, read.printed())
     yield from units.contradictions()
     yield from units.unread
     yield from displaced(document.text)

@@ -300,5 +300,28 @@ def lifter(*lines: str, at: str = "180 deg + phi", pushed: str = "280 deg + phi"
     )
 
 
+def slotted_lever() -> str:
+    """Return a crank CA, drawn in line with the slotted lever OE that its pin A moves.
+
+    In the middle of the stroke the pin turns back in its slot.
+    """
+    return _text(
+        "mechanism slot",
+        "pivot O at (0 mm, 0 mm)",
+        "pivot C at (0 mm, 150 mm)",
+        "link CA",
+        "link OE",
+        "A at (0 mm, 200 mm)",
+        "E at (0 mm, 350 mm)",
+        "slot A in OE",
+        "drive CA from 10 deg to 170 deg",
+        "torque M on CA",
+        "force F at E along x",
+        "friction contact A 0.3",
+        "friction pins 0.2 diameter 40 mm",
+        "find k = M/F",
+    )
+
+
 def _text(*lines: str) -> str:
     return "\n".join((*lines, ""))

@@ -44,6 +44,16 @@ def movers(result: Result, pose: Pose) -> frozenset[str]:
     return frozenset(name for name, _ in _sides(result, pose))
 
 
+def beside(result: Result, pose: Pose) -> dict[str, float]:
+    """Return the value of a parameter on one side of the default pose, where slips have a sense.
+
+    There is nothing where each has one at the default pose.
+    """
+    for name, step in _sides(result, pose):
+        return {name: pose_values(pose).get(name, 0.0) + step}
+    return {}
+
+
 def _sides(result: Result, pose: Pose) -> Iterator[tuple[str, float]]:
     """Yield parameters and the steps by which they move a slip that is 0 at the default pose."""
     if not any(is_call(d.formula, "sense") for d in result.where):

@@ -125,12 +125,23 @@ def others_with_friction(
 
 
 def friction_forces(
-    unfolding: Unfolding, sense: Sense, driving: str, given: Mapping[str, float]
+    unfolding: Unfolding,
+    sense: Sense,
+    driving: str,
+    given: Mapping[str, float],
+    beside: Unfolding | None = None,
 ) -> FrictionForces | str:
-    """Return friction at every pair of surfaces, or why none is known that balances."""
-    loaded = _loaded(unfolding, sense, driving, given)
-    if isinstance(loaded, str):
-        return loaded
+    """Return friction at every pair of surfaces, or why none is known that balances.
+
+    Where a pair does not slip its friction is against the slip of a pose ``beside``, if there is
+    one: so forces come to what they are the nearer that is.
+    """
+    slipping = _responses(unfolding, driving, given)
+    near = _responses(beside, driving, given) if beside else slipping
+    if isinstance(slipping, str) or isinstance(near, str):
+        return slipping if isinstance(slipping, str) else str(near)
+    slips = (a or b for a, b in zip(slipping.slips, near.slips, strict=True))
+    loaded = _in_sense(slipping._replace(slips=tuple(slips)), SIGNS[sense])
     found = friction_sizes(loaded.surfaces)
     return UNSETTLED if found is None else loaded.under(found)
 

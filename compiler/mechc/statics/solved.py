@@ -38,15 +38,20 @@ def ideal(unfolding: Unfolding, case: LoadCase) -> StaticsSolution | str:
     return StaticsSolution(assembly, system, found, open_, loads, {}, *_besides(unfolding))
 
 
-def with_friction(unfolding: Unfolding, case: LoadCase) -> StaticsSolution | str:
-    """Return all forces with friction, or why there are none."""
+def with_friction(
+    unfolding: Unfolding, case: LoadCase, beside: Unfolding | None = None
+) -> StaticsSolution | str:
+    """Return all forces with friction, or why there are none.
+
+    What does not slip has the friction of a pose ``beside``, if there is one.
+    """
     tied = _ties(unfolding)
     unknown = _unknown(case, tied)
     if len(unknown) != 1:
         return SEVERAL
     (drive,) = unknown
     sense = unfolding.pose.mechanism.friction.sense
-    slipping = friction_forces(unfolding, sense, drive, case.sizes)
+    slipping = friction_forces(unfolding, sense, drive, case.sizes, beside)
     if isinstance(slipping, str):
         return slipping
     question, found = slipping.question, [0.0] * (len(slipping.question.system.unknowns) + 1)
