@@ -11,7 +11,7 @@ from jsonschema_rs import Draft202012Validator
 
 import mechc
 from mechc.cli import main
-from mechc.cli.checked import report
+from mechc.cli.check_lines import report
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
 from mechc.emit.json.to_json import schema_text

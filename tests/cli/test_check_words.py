@@ -9,7 +9,7 @@ import pytest
 
 import good_mechanisms
 from mechc.cli import main
-from mechc.cli.checked import report
+from mechc.cli.check_lines import report
 from mechc.report.languages import registry
 from mechc.statics.verdict import UNJUDGED, WITHOUT_FORCES
 from mechc.syntax.vocabulary import LANGUAGES

@@ -7,7 +7,7 @@ import pytest
 
 import mechc
 from good_mechanisms import compiled, loaded
-from mechc.cli.checked import report
+from mechc.cli.check_lines import report
 from mechc.driver import compile_source
 from mechc.files import find, read
 from mechc.formula.evaluate import evaluate

@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from mechc.cli.checked import report
+from mechc.cli.check_lines import report
 from mechc.diagnostics import MechcError
 from mechc.driver import compile_source, emit
 from mechc.emit import registry

@@ -6,7 +6,7 @@ from functools import cache
 import pytest
 
 from good_mechanisms import ALL, compiled
-from mechc.cli.checked import report as checked
+from mechc.cli.check_lines import report as checked
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.report.languages.registry import locale

@@ -7,7 +7,7 @@ from ..driver import Compilation, complete, warnings
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
-from .checked import failing, overview_of, report
+from .check_lines import failing, overview_of, report
 from .compilations import opened
 from .exit_status import status
 from .inputs import expanded, settings_option, stdin_option

@@ -9,7 +9,7 @@ from ..report.text.speller import speller
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
-from .checked import refused
+from .check_lines import refused
 from .compilations import opened
 from .inputs import by_option, description_argument, settings_option, stdin_option
 from .session import session, session_options

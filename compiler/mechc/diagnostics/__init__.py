@@ -33,7 +33,7 @@ if not TYPE_CHECKING:
     from ..later import waiting
 
     WORDS = {
-        *("check", "closures", "drawing", "drawn", "emission", "files", "friction"),
+        *("check", "closures", "drawing", "drawn_places", "emission", "files", "friction"),
         *("joining", "kinematics", "open_loops", "plot", "pose", "power", "reactions"),
         *("sheets", "statics", "stroke", "syntax", "syntax_limits", "syntax_yaml", "uses"),
     }

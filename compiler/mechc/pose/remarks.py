@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ..algebra.product import Product
 from ..diagnostics import Diagnostic, Report
-from ..diagnostics import drawn as drawn_messages
+from ..diagnostics import drawn_places as drawn_messages
 from ..diagnostics import open_loops as open_messages
 from ..diagnostics import pose as messages
 from ..formula.walk import symbols

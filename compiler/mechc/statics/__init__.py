@@ -13,5 +13,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"counted", "friction", "joint_forces", "speeds", "surfaces"}
+    SELDOM = {"counted", "friction_loads", "joint_forces", "speeds", "surfaces"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -21,7 +21,7 @@ from ..model.mechanism import (
 )
 from ..model.result import Definition, Result
 from ..named import NamedTuple
-from . import friction, joint_forces, speeds
+from . import friction_loads, joint_forces, speeds
 from .answers import Answer, load_coefficient, load_ratio
 from .balanced import Balanced
 
@@ -118,10 +118,10 @@ def _with_friction(result: Result, target: WithFriction, mechanism: Mechanism) -
         return driving, {n: found.of(Symbol(n)) for n in free if n != driving}
 
     def ask(at: Balanced) -> Answer:
-        return friction.with_friction(at, target, *loaded(at))
+        return friction_loads.with_friction(at, target, *loaded(at))
 
     def others(at: Balanced) -> Iterator[Answer]:
-        return friction.others_with_friction(at, target, *loaded(at))
+        return friction_loads.others_with_friction(at, target, *loaded(at))
 
     return Question(result.name, result.formula, where, ask, result.guards, others)
 

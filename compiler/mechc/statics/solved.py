@@ -6,7 +6,7 @@ from .balanced import Tie, gather, ties, untied, with_loads
 from .cases import LoadCase
 from .cut_free import StaticsSolution
 from .free_bodies import equilibrium
-from .friction import friction_forces
+from .friction_loads import friction_forces
 from .solve import EliminatedSystem, factor
 from .tolerances import INCONSISTENT
 from .transfers import PinOnLink, bearings

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from typing import assert_never
 
 from ...diagnostics import Diagnostic
-from ...diagnostics import drawn as messages
+from ...diagnostics import drawn_places as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol
 from ...formula.walk import symbols

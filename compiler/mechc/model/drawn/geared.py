@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from ...diagnostics import Report
-from ...diagnostics import drawn as messages
+from ...diagnostics import drawn_places as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import (
     ZERO,

@@ -14,7 +14,7 @@ from collections.abc import Collection, Iterable, Iterator
 from itertools import pairwise
 
 from ...diagnostics import Diagnostic, Report
-from ...diagnostics import drawn as messages
+from ...diagnostics import drawn_places as messages
 from ...formula.walk import symbols
 from ...frozen import replace
 from ..entries import directions, joined_to, points_of

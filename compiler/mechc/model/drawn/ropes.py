@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from ...diagnostics import Diagnostic
-from ...diagnostics import drawn as messages
+from ...diagnostics import drawn_places as messages
 from ...formula.evaluate import evaluate
 from ...formula.walk import symbols
 from ..mechanism import Mechanism, Rope

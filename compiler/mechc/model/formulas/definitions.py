@@ -24,11 +24,12 @@ from ..names.scope import NameScope
 from ..parts.written import WrittenSides, expression
 from ..statements import every
 from ..values import ordered
-from .choices import note_between, read_let_value, read_tables
+from .choices import read_let_value
 from .measured import MeasuredFormula, fits, shown
 from .misplaced_units import note_misplaced_unit, note_unit_factor
 from .parameters import constant, note_unitless, read_parameter
 from .sorts import Nature
+from .tables import note_between, read_tables
 
 MOST_LET_PARTS = 200
 """Parts of a let that is written out: lets of lets can double in length with each."""

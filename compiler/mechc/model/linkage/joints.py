@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from ...diagnostics import drawn as drawn_words
+from ...diagnostics import drawn_places as drawn_words
 from ...diagnostics.model import doubts, names
 from ...diagnostics.model import joints as messages
 from ...source import Span

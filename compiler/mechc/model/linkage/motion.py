@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 
-from ...diagnostics import Report, drawn, stroke
+from ...diagnostics import Report, drawn_places, stroke
 from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import doubts, held, quantities
 from ...diagnostics.model import joints as messages
@@ -141,7 +141,7 @@ def _of_a_link(vector: ast.Name, file: ast.File, scope: NameScope) -> ast.Name:
     elif ends and any(ends <= set(link.points) for link in scope.points.links.values()):
         scope.enter(name.text, ScopeEntry("parameter", vector.span, ANGLE))
     elif ends:
-        scope.report.add(drawn.driven_between_bodies(vector.span, vector.text))
+        scope.report.add(drawn_places.driven_between_bodies(vector.span, vector.text))
     return name
 
 

@@ -1,8 +1,7 @@
 """The stroke: what was asked for along the driving coordinate, and where it is singular.
 
 ``from_balance`` makes it, ``stroke`` is it as data. ``run`` is what is looked at and where,
-``..sweep`` gives values there by the code of ``..forms``, ``friction`` makes results with friction
-what code takes.
+``..sweep`` gives values there by the code of ``..forms``.
 ``stretches`` are the parts that have a pose and ``ends`` what limits them, ``gaps`` those that
 have none, ``branches`` where closures meet; ``in_step`` and ``points_in_step`` ask whether what
 is given follows the drive. ``singular`` finds zeros and poles, ``jumps`` jumps, ``extrema`` the

@@ -8,7 +8,7 @@ from typing import Literal
 from ...formula.jumps import BESIDE_JUMP
 from ...formula.roots import RealFunction, lowest, roots
 from ...frozen import replace
-from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
+from ...model.mechanism import Efficiency, LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
 from ..sweep import Sweep
 from ..tolerances import (
@@ -20,7 +20,6 @@ from ..tolerances import (
     SAME_VALUE,
 )
 from ..variables import spans
-from .friction import is_shown
 from .jumps import has_turns, is_on_the_stroke
 from .removable import RemovablePlaces
 from .rounded import is_nil, is_turning, rounded
@@ -169,7 +168,7 @@ def _on_part(
     along = run.along
     poles = [*_poles(run, result, singular), *_own_poles(run, result, stretch)]
     for one in extrema(result, run.drive.name, along, part, removable.turning):
-        if not is_shown(one, result) or order_of(run, result, one.drive) == "infinite":
+        if not _is_shown(one, result) or order_of(run, result, one.drive) == "infinite":
             continue
         if not is_turning(one, result, along, part):
             continue
@@ -264,3 +263,8 @@ def _turning(
             return found[0].x
     size = along.function(result.formula, result)
     return lowest(lambda x: sense * size(x), *within)
+
+
+def _is_shown(extremum: Extremum, result: Analysis) -> bool:
+    """Return whether an extremum is none of an efficiency where nothing moves."""
+    return extremum.value > 0 or not isinstance(result.target, Efficiency)

@@ -1,27 +1,29 @@
 """From the results to the stroke."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import chain
 
 from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
 from ...friction.solution import FrictionSolution
+from ...model.parts.targets import drives_from_below
 from ...model.values import range_of
 from ...pose.motion import Motion
 from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH
 from ..analysis import Analysis
+from ..intervals import EfficiencyRange, LockingInterval
 from ..pose_sweep import EXCLUDED
 from .columns import ShownQuantities, asked, named_apart
 from .extrema import extrema_along
-from .friction import efficiency_ranges, standstills
 from .jumps import is_on_the_stroke, turns_along
 from .rounded import is_apart, zero_parts
 from .rows import columns, rows
 from .run import StrokeRun, run_of
 from .singular import singular_along
 from .stretches import stretches_of, with_reached
-from .stroke import Stroke, StrokeInterval
+from .stroke import JammedInterval, Stroke, StrokeInterval
 
 Watch = Callable[[Sequence[float]], Iterable[float]]
 
@@ -89,8 +91,8 @@ def _stroke(run: StrokeRun, paths: ShownQuantities, points: int, watch: Watch) -
         singular=tuple(one for one in singular if is_apart(one, nil, run.range)),
         branches=tuple(branches),
         extrema=tuple(one for one in extrema if is_apart(one, nil, run.range)),
-        standstills=tuple(standstills(run.results, drive.name)),
-        efficiency_ranges=tuple(efficiency_ranges(run.results, drive.name)),
+        standstills=tuple(_standstills(run.results, drive.name)),
+        efficiency_ranges=tuple(_efficiency_ranges(run.results, drive.name)),
         defaults=along.defaults,
         without=run.open,
         looked=_looked(run, stretches) if run.results else 0,
@@ -101,3 +103,41 @@ def _stroke(run: StrokeRun, paths: ShownQuantities, points: int, watch: Watch) -
 def _looked(run: StrokeRun, stretches: Sequence[StrokeInterval]) -> int:
     """Return at how many values of the drive the results were looked at."""
     return sum(len(run.within(stretch)) for stretch in stretches)
+
+
+def _standstills(results: Iterable[Analysis], drive: str) -> Iterator[JammedInterval]:
+    """Yield where friction lets nothing move."""
+    for result in results:
+        for stretch in _stretches(result, drive):
+            if stretch.within:
+                left_out, driving = _left_out(stretch, *stretch.within), _driving(result)
+                yield JammedInterval(result.name, stretch.state, *stretch.within, left_out, driving)
+
+
+def _driving(result: Analysis) -> str:
+    """Return the load that drives from below the line, '' where that above the line does."""
+    is_by_other = drives_from_below(result.target, result.name, result.driven)
+    return result.locking.load if is_by_other and result.locking else ""
+
+
+def _stretches(result: Analysis, drive: str) -> Iterator[LockingInterval]:
+    """Return the stretches of the drive on which a result is locked or jammed."""
+    reaches = result.locking.reaches if result.locking else ()
+    return chain.from_iterable(reach.stretches for reach in reaches if reach.parameter == drive)
+
+
+def _left_out(stretch: LockingInterval, low: float, high: float) -> tuple[bool, bool]:
+    """Return of either end of what lies in the range whether the stretch only reaches up to it."""
+    first, last = stretch.low, stretch.high
+    return (
+        first is not None and first.is_strict and first.x == low,
+        last is not None and last.is_strict and last.x == high,
+    )
+
+
+def _efficiency_ranges(
+    results: Iterable[Analysis], drive: str
+) -> Iterator[tuple[str, EfficiencyRange]]:
+    """Yield each efficiency with what it runs through."""
+    for result in results:
+        yield from ((result.name, c) for c in result.efficiency_ranges if c.parameter == drive)

@@ -10,7 +10,7 @@ from ...formula.roots import spaced
 from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import FrictionSolution
-from ...frozen import frozen
+from ...frozen import frozen, replace
 from ...model.mechanism import (
     Axial,
     LoadForm,
@@ -28,7 +28,6 @@ from ..analysis import Analysis
 from ..pose_sweep import PoseCode
 from ..sweep import Sweep
 from .branches import branch_points
-from .friction import in_code
 from .stroke import ChangePoint, StrokeInterval
 
 SAMPLES = 720
@@ -150,7 +149,7 @@ def run_of(
     pose = solution.plan.graph.pose
     along = Sweep(PoseCode(solution.plan), drive.name, (low, high))
     shown = [r for r in results if r.default is not None or r.target is not None]
-    shown = [in_code(r, solution) for r in shown]
+    shown = [_in_code(r, solution) for r in shown]
     without = {r.name: _loads_without_size(r, pose.mechanism) for r in shown}
     valued = tuple(r for r in shown if not without[r.name])
     open_ = tuple((r.name, without[r.name]) for r in shown if without[r.name])
@@ -174,3 +173,9 @@ def _loads_without_size(result: Analysis, mechanism: Mechanism) -> tuple[str, ..
     loads = {load.name for load in mechanism.loads}
     defined = {d.name for d in result.where}
     return tuple(sorted((symbols(result.formula) & loads) - defined))
+
+
+def _in_code(result: Analysis, solution: FrictionSolution) -> Analysis:
+    """Return a result as code takes it, with signs that follow from the pose."""
+    whole = next(r for r in solution.results if r.name == result.name)
+    return replace(result, formula=whole.formula, where=whole.where, guards=whole.guards)

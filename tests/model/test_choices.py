@@ -7,7 +7,7 @@ from itertools import combinations, product
 import pytest
 
 from mechc.formula.tree import Call, Symbol, number
-from mechc.model.formulas.bounds import never_met
+from mechc.model.formulas.choices import never_met
 
 COMPARISONS = {
     "more": operator.gt,
