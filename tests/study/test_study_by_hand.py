@@ -20,7 +20,7 @@ from mechc.formula.rounding import PrintedNumber
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, power, product, quotient, total
 from mechc.frozen import replace
-from mechc.model.mechanism import Drive, Find, LoadRatio, Require
+from mechc.model.mechanism import Drive, Efficiency, Find, LoadRatio, Require, WithFriction
 from mechc.model.result import Definition, Result
 from mechc.model.values import complete, default_pose
 from mechc.power.from_plan import balance
@@ -34,7 +34,7 @@ from mechc.study.sampling import _beside_ends, _jumps, _loose
 from mechc.study.sampling import looked_at as values_looked_at
 from mechc.study.states import AgainstFriction, Moving, StateFound, divisors_of_terms
 from mechc.study.stroke.columns import Filled, named_apart
-from mechc.study.stroke.extrema import extrema, turns_between
+from mechc.study.stroke.extrema import _is_shown, extrema, turns_between
 from mechc.study.stroke.rows import from_both_sides
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
 from mechc.study.stroke.stretches import with_reached
@@ -578,6 +578,14 @@ def test_a_highest_efficiency_hides_in_the_cell_at_an_end(top):
             return 0.8 - 0.5 * abs(x - top)
 
     assert min(abs(x - top) for x in values_looked_at(Kink(math.cos), 0.0, 1.0)) < 1e-5
+
+
+@pytest.mark.parametrize(("value", "shown"), [(3e-12, False), (0.0, False), (0.004, True)])
+def test_an_efficiency_has_no_extremum_of_rounding(value, shown):
+    found = Extremum("eta_k", "maximum", 0.68, value)
+    of = WithFriction(LoadRatio("M", "F"), "tightening")
+    assert _is_shown(found, SimpleNamespace(target=Efficiency(of.of, of.sense))) == shown
+    assert _is_shown(found, SimpleNamespace(target=of))
 
 
 def test_what_definitions_share_is_gone_into_once_for_divisors():

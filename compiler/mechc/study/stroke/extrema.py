@@ -16,6 +16,7 @@ from ..tolerances import (
     BESIDE_END,
     BESIDE_JAM,
     CONSTANT,
+    SAME_EFFICIENCY,
     SAME_RATIO,
     SAME_VALUE,
 )
@@ -266,5 +267,5 @@ def _turning(
 
 
 def _is_shown(extremum: Extremum, result: Analysis) -> bool:
-    """Return whether an extremum is none of an efficiency where nothing moves."""
-    return extremum.value > 0 or not isinstance(result.target, Efficiency)
+    """Return whether an extremum is none of an efficiency where nothing moves, but for rounding."""
+    return extremum.value > SAME_EFFICIENCY or not isinstance(result.target, Efficiency)
