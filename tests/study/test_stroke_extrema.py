@@ -109,52 +109,52 @@ def test_a_result_may_turn_where_its_formula_is_undetermined(low, high, side, ki
     assert not stroke.singular
 
 
-class OverNil:
-    """A result times sin x/sin x."""
+X = Symbol("x")
 
-    def __init__(self, formula):
-        nil = Call("sin", (Symbol("x"),))
-        self.formula, self.where = Product((nil, formula, Power(nil, number(-1)))), ()
 
-    def of(self, formula, result, x):
+def over_nil(formula):
+    """Return the places at which a formula times sin x/sin x is 0/0, on a stroke of 0.6."""
+    nil = Call("sin", (X,))
+    whole = Product((nil, formula, Power(nil, number(-1))))
+
+    def at(x):
         try:
-            return evaluate(formula, {"x": x})
+            return evaluate(whole, {"x": x})
         except ZeroDivisionError:
             return math.nan
 
-    def form_at(self, result, x):
-        return result
-
-    def rounding(self, x):
-        return Rounding({"x": x})
+    return RemovablePlaces(at, lambda x: Rounding({"x": x}).of(whole).error, 0.6)
 
 
-X = Symbol("x")
 GRID = [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3]
 
 
 def test_places_at_which_a_formula_alone_is_undetermined_are_left_out():
-    rising = OverNil(total([number(2), X]))
-    places = RemovablePlaces(rising, rising, 0.6)
+    places = over_nil(total([number(2), X]))
     assert places.is_one(0.0)
     assert not places.is_one(0.1)
     assert places.left_out(GRID) == [x for x in GRID if x]
     assert places.turning(0.0) is None
+    assert (places.value(0.0), places.value(0.1)) == (pytest.approx(2.0, rel=1e-12), None)
 
 
 def test_beside_such_a_place_a_result_turns_where_it_does_from_both_sides():
-    turning = OverNil(total([number(2), product([(total([X, number("-1e-4")]), 2)])]))
-    places = RemovablePlaces(turning, turning, 0.6)
+    places = over_nil(total([number(2), product([(total([X, number("-1e-4")]), 2)])]))
     assert places.turning(0.0) == pytest.approx((1e-4, 2.0), abs=1e-9)
     assert places.turning(0.1) is None
 
 
 @pytest.mark.parametrize("function", ["abs", "sign"])
 def test_a_pole_a_kink_or_a_jump_is_no_such_place(function):
-    bent = OverNil(total([number(2), Call(function, (X,))]))
-    assert not RemovablePlaces(bent, bent, 0.6).is_one(0.0)
-    pole = OverNil(Power(X, number(-1)))
-    assert not RemovablePlaces(pole, pole, 0.6).is_one(0.0)
+    assert not over_nil(total([number(2), Call(function, (X,))])).is_one(0.0)
+    assert not over_nil(Power(X, number(-1))).is_one(0.0)
+
+
+def test_in_the_row_of_such_a_place_is_the_value_from_both_sides():
+    stroke = mechc.loads(SQUARE.format("30 deg", "150 deg", "back")).stroke(3)
+    row = dict(zip((c.name for c in stroke.columns), stroke.rows[1].values, strict=True))
+    assert row["k"] == pytest.approx(9 / 8, rel=1e-10)
+    assert "k" not in stroke.rows[1].undetermined
 
 
 TOGGLE = """

@@ -22,7 +22,7 @@ from ..tolerances import (
 )
 from ..variables import spans
 from .jumps import has_turns, is_on_the_stroke
-from .removable import RemovablePlaces
+from .removable import RemovablePlaces, of_result
 from .rounded import is_nil, is_turning, rounded
 from .run import SAMPLES, StrokeRun
 from .singular import order_of, roots_at
@@ -67,7 +67,7 @@ def _on_stretch(
     breaks |= {b.drive: near for b in branches}
     grid = run.within(stretch)
     value = run.values(result.formula, result)
-    removable = RemovablePlaces(result, run.along, run.range)
+    removable = of_result(result, run.along, run.range)
     for part in parted(_with(grid, turns) if has_turns(result) else grid, breaks):
         whole = removable.left_out(part)
         for valued in with_values(whole, value) if has_turns(result) else [whole]:

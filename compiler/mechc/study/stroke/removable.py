@@ -6,8 +6,8 @@ that are zero there. At that place a formula has no value, and beside it what ro
 
 import math
 from collections.abc import Sequence
-from functools import cached_property
 
+from ...formula.roots import RealFunction
 from ...formula.rounding import with_error
 from ...model.result import Result
 from ...named import NamedTuple
@@ -53,15 +53,12 @@ def through(values: Sequence[float]) -> Cubic:
 
 
 class RemovablePlaces:
-    """Tells of a result along a stroke at which places its formula is 0/0, and it is not."""
+    """Tells of a function along a stroke at which places its formula is 0/0, and it is not."""
 
-    def __init__(self, result: Result, along: Sweep, range_: float) -> None:
-        """Take the result, and how far the drive moves."""
-        self._result, self._along, self._step = result, along, ACROSS * range_
-
-    @cached_property
-    def _across(self) -> dict[float, Cubic | None]:
-        return {}
+    def __init__(self, at: RealFunction, error: RealFunction, range_: float) -> None:
+        """Take the function, a bound of its rounding errors, and how far the drive moves."""
+        self._at, self._bound, self._step = at, error, ACROSS * range_
+        self._across: dict[float, Cubic | None] = {}
 
     def is_one(self, x: float) -> bool:
         """Return whether rounding is all that the formula has at a place, and not beside it."""
@@ -84,14 +81,15 @@ class RemovablePlaces:
         is_smooth = apart <= SMOOTH * (max(values) - min(values)) + 4 * error
         return cubic if error <= lost and is_smooth else None
 
-    def _at(self, x: float) -> float:
-        return self._along.of(self._result.formula, self._result, x)
-
     def _error(self, x: float) -> float:
-        """Return a bound of the rounding error, infinite where it is 0/0 or a pole."""
-        form = self._along.form_at(self._result, x)
-        error = with_error(form.formula, form.where, self._along.rounding(x)).error
+        """Return the bound of the rounding error, infinite where it is 0/0 or a pole."""
+        error = self._bound(x)
         return math.inf if math.isnan(error) else error
+
+    def value(self, x: float) -> float | None:
+        """Return the limit of the function at such a place; None elsewhere."""
+        cubic = self.across(x)
+        return cubic.at(0.0) if cubic else None
 
     def turning(self, x: float) -> tuple[float, float] | None:
         """Return where a result turns next to such a place, and its value there; None elsewhere."""
@@ -108,6 +106,16 @@ class RemovablePlaces:
         odd = (i for i in range(1, len(grid) - 1) if _is_odd(*values[i - 1 : i + 2]))
         doubted = {j for i in odd for j in (i - 1, i, i + 1)}
         return [x for i, x in enumerate(grid) if i not in doubted or not self.is_one(x)]
+
+
+def of_result(result: Result, along: Sweep, range_: float) -> RemovablePlaces:
+    """Return such places of a result."""
+
+    def error(x: float) -> float:
+        form = along.form_at(result, x)
+        return with_error(form.formula, form.where, along.rounding(x)).error
+
+    return RemovablePlaces(along.function(result.formula, result), error, range_)
 
 
 def _is_odd(before: float, here: float, after: float) -> bool:

@@ -9,6 +9,7 @@ from ...formula.rounding import (
     PrintedNumber,
     Rounding,
     beyond_rounding,
+    with_error,
     without_rounding,
     without_value,
 )
@@ -23,6 +24,7 @@ from ..states import is_sign
 from ..sweep import Sweep
 from ..tolerances import SAME_SIDES, SIDE, STRAIGHT, VANISHING
 from .columns import Filled, ShownQuantities, path_columns
+from .removable import RemovablePlaces
 from .run import StrokeRun
 from .stretches import beyond, trouble
 from .stroke import AngleAt, StrokeColumn, StrokeInterval, StrokeRow
@@ -107,7 +109,7 @@ class StrokeSizes:
         if formula is None:
             return PrintedNumber(number + 0.0)
         if math.isnan(number) and not filled.has_friction:
-            return without_value(formula, where, alone())
+            return self._across(filled, x, without_value(formula, where, alone()))
         rounded = column.at(self._rows[x]) if column and math.isfinite(number) else None
         if rounded is not None:
             size = without_rounding(number, rounded)
@@ -116,7 +118,20 @@ class StrokeSizes:
         if filled.has_friction and is_on_a_side(size, where, alone()):
             at = partial(self._beyond_rounding, filled)
             return from_both_sides(at, partial(_is_pose, self._run), x, self._run.range)
-        return size
+        return size if filled.has_friction else self._across(filled, x, size)
+
+    def _across(self, filled: Filled, x: float, size: PrintedNumber) -> PrintedNumber:
+        """Return the size of a column, where its formula alone is 0/0 that from both sides."""
+        if not size.undetermined:
+            return size
+        value = RemovablePlaces(filled.at, partial(self._error, filled), self._run.range).value(x)
+        return size if value is None else PrintedNumber(value)
+
+    def _error(self, filled: Filled, x: float) -> float:
+        """Return a bound of the rounding error in a column."""
+        assert filled.formula is not None
+        rounding = self._run.along.rounding_inside(x)
+        return with_error(filled.formula, filled.where, rounding).error
 
     def _beyond_rounding(self, filled: Filled, x: float) -> float:
         """Return a value, 0 where it is but rounding: that grows beside a pose as at a pole."""
