@@ -23,7 +23,7 @@ def data(folder: str) -> Path:
     """Return the folder of data files, ``grammar`` or ``library``, or a package's own.
 
     In an installed package it lies inside the package; in a checkout, known by the
-    ``pyproject.toml`` beside it, at the top. Out of a zip file it is unpacked.
+    ``pyproject.toml`` next to it, at the top. Out of a zip file it is unpacked.
 
     >>> (data("grammar") / "mechc.lark").is_file()
     True

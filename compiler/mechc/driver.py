@@ -180,16 +180,16 @@ class Compilation(Pipeline):
         if figure is None:
             return ()
         with within(Allowance(), self.report):
-            beside = {} if values else self._beside_rest()
+            nearby = {} if values else self._next_to_rest()
             results = self.solution.results
-            return diagrams(self.pose, results, figure.values, figure.points, loads, beside)
+            return diagrams(self.pose, results, figure.values, figure.points, loads, nearby)
 
-    def _beside_rest(self) -> Mapping[str, float]:
-        """Return the values of a pose beside the default one, where results are the limit there."""
+    def _next_to_rest(self) -> Mapping[str, float]:
+        """Return the values of a pose near the default one, where results are the limit there."""
         from .friction import at_rest
 
         resting = (r for r in self.solution.results if len(r.sides) == 1)
-        moved = next((at_rest.beside(r, self.pose) for r in resting), {})
+        moved = next((at_rest.values_nearby(r, self.pose) for r in resting), {})
         figure = self.drawn(moved) if moved else None
         return figure.values if figure else {}
 

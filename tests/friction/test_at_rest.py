@@ -4,7 +4,7 @@ import pytest
 
 from mechc.driver import compile_source
 from mechc.formula.tree import ONE, ZERO, Call, Power, Symbol, number, product, total
-from mechc.friction.at_rest import BESIDE_POSE, beside, limits
+from mechc.friction.at_rest import NEAR_POSE, limits, values_nearby
 from mechc.model.result import Definition, Result
 from mechc.source import Source
 from mechc.units import NUMBER
@@ -72,6 +72,6 @@ def test_there_is_nothing_to_be_said_without_a_slip_that_moves():
 
 def test_beside_the_pose_the_parameter_is_moved_by_which_a_slip_has_a_sense():
     pose = compile_source(Source("crank.mech", CRANK + "drive phi\n")).pose
-    moved = beside(Result("k_f", None, NUMBER, Symbol("s"), (SENSE,)), pose)
-    assert {name: abs(x) for name, x in moved.items()} == {"phi": BESIDE_POSE}
-    assert not beside(Result("k_f", None, NUMBER, Symbol("phi"), ()), pose)
+    moved = values_nearby(Result("k_f", None, NUMBER, Symbol("s"), (SENSE,)), pose)
+    assert {name: abs(x) for name, x in moved.items()} == {"phi": NEAR_POSE}
+    assert not values_nearby(Result("k_f", None, NUMBER, Symbol("phi"), ()), pose)

@@ -81,7 +81,7 @@ class Page:
                 function = next(
                     f for f in self.compilation.routine.functions if f.name == result.name
                 )
-                moved = at_rest.beside(result, self.compilation.pose)
+                moved = at_rest.values_nearby(result, self.compilation.pose)
                 farther = {n: 2 * x - self.code[n] for n, x in moved.items()}
                 near, far = (run(function, {**self.code, **at}) for at in (moved, farther))
                 yield name(result.name, self.style), float(2 * near - far)

@@ -58,7 +58,7 @@ def explanation(code: str) -> str:
 
 
 def _with_examples(text: str) -> str:
-    r"""Return an explanation with its examples indented, where nothing else stands beside them.
+    r"""Return an explanation with its examples indented, where nothing else stands in their lines.
 
     >>> print(_with_examples("It is wrong.\n\npivott O  # wrong"))
     It is wrong.

@@ -57,7 +57,7 @@ def question(arguments: list[str]) -> bytes:
 
 
 def _state() -> Iterator[int]:
-    """Yield numbers that change with the code of mechc, and with what is installed beside it.
+    """Yield numbers that change with the code of mechc, and with what is installed along with it.
 
     Who installs a package changes its folder; a checkout is looked through, file by file.
     """

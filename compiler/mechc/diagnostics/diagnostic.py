@@ -39,7 +39,7 @@ class Related(NamedTuple):
 
 
 def used_at(use: Span, cause: Span) -> tuple[Related, ...]:
-    """Return the place of a wrong value's use beside the place that it comes from."""
+    """Return the place of a wrong value's use, and the place that it comes from."""
     return () if use == cause else (Related(use, "it is used here"),)
 
 

@@ -34,7 +34,7 @@ def curves(layout: PanelLayout) -> Iterator[Polyline]:
 
 
 def thin(pen: Pen) -> Pen:
-    """Return the pen of a curve for what is drawn of it beside its line."""
+    """Return the pen of a curve for what is drawn of it besides its line."""
     return pen._replace(width=THIN, dashes=())
 
 

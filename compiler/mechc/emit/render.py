@@ -1,4 +1,4 @@
-"""Templates: the shape of a file, beside its target, filled from a frozen context."""
+"""Templates: the shape of a file, in the folder of its target, filled from a frozen context."""
 
 from collections.abc import Iterable, Iterator
 from importlib import import_module

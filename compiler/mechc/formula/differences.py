@@ -103,7 +103,7 @@ def _positive(formula: Formula, values: LazyValues) -> Formula:
 
 
 def _sizes_as_beside(formula: Formula) -> Formula:
-    """Return a formula whose |sin(a − b)| have the way round in which sines beside them stand."""
+    """Return a formula whose |sin(a − b)| have the way round that sines outside of them have."""
     if not any(is_call(node, "abs") for node in walk(formula)):
         return formula
     beside = [found for node in _outside_sizes(formula) if (found := _difference(node))]

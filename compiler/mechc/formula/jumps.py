@@ -8,12 +8,12 @@ from ..named import NamedTuple
 from .roots import LEFT_AT_ZERO, TOUCHED_ZERO, RealFunction
 
 JUMPING = 4.0
-"""How much more than beside it a function that does not change its sign varies where it jumps."""
+"""How much more than next to it a function that does not change its sign varies where it jumps."""
 
-STEADY_BESIDE_JUMP = 0.1
+STEADY_NEAR_JUMP = 0.1
 """What it varies by near a jump, at most, as a part of that."""
 
-JUMP_WIDTH, BESIDE_JUMP = 1e-11, 1e-8
+JUMP_WIDTH, NEAR_JUMP = 1e-11, 1e-8
 """To what part of the range a jump is narrowed down, and from how far its sides are seen.
 
 What is infinite at the pole itself is rounded worse, the nearer that is.
@@ -61,7 +61,7 @@ def jumps(function: RealFunction, grid: Sequence[float]) -> list[Jump]:
 def _narrowed(function: RealFunction, a: float, b: float, range_: float) -> Jump:
     """Return a jump between two points: what is between is on the side that it is more like.
 
-    Where the sign changes that is the side of its sign: beside a pole values fall from far above.
+    Where the sign changes that is the side of its sign: near a pole values fall from far above.
     """
     before, after = function(a), function(b)
     turns = before * after < 0
@@ -75,7 +75,7 @@ def _narrowed(function: RealFunction, a: float, b: float, range_: float) -> Jump
             a, before = middle, value
         else:
             b, after = middle, value
-    beside = BESIDE_JUMP * range_
+    beside = NEAR_JUMP * range_
     return Jump((a + b) / 2, b - a, side(function, a, -beside), side(function, b, beside))
 
 
@@ -105,6 +105,6 @@ def _parabola_at_zero(values: Sequence[float]) -> float:
 
 def is_steady(function: RealFunction, jump: Jump, range_: float) -> bool:
     """Return whether this is a jump, no pole: ten times as far values are nearly the same."""
-    away, most = 10 * BESIDE_JUMP * range_, STEADY_BESIDE_JUMP * abs(jump.after - jump.before)
+    away, most = 10 * NEAR_JUMP * range_, STEADY_NEAR_JUMP * abs(jump.after - jump.before)
     before, after = (function(jump.x + side * away) for side in (-1, 1))
     return abs(before - jump.before) <= most and abs(after - jump.after) <= most

@@ -256,7 +256,7 @@ def _multiple(term: Formula) -> int:
 DECIMALS = 6
 """Decimals of an angle in degrees that is given in radians.
 
-With fewer, a formula read off a page near a dead centre would miss the value beside it.
+With fewer, a formula read off a page near a dead centre would miss the value printed with it.
 """
 
 

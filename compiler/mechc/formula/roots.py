@@ -180,7 +180,7 @@ def lowest(
     """Return where a function with one minimum is least, by golden sections.
 
     There are more than ``sections`` while two values within still differ by more than ``flat``:
-    beside a kink a function may be steep.
+    next to a kink a function may be steep.
     """
     c, d = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
     at_c, at_d = function(c), function(d)

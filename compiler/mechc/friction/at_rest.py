@@ -1,4 +1,4 @@
-"""Results at a default pose in which a slip is 0 for once: what they come to beside it.
+"""Results at a default pose in which a slip is 0 for once: what they come to next to it.
 
 Friction has no sense there. What is without it is the limit of neither side, and no value of the
 motion: where both sides come to one value that is the result, elsewhere the result jumps.
@@ -16,12 +16,12 @@ from ..power.numbers import pose_values, value_of, values_along
 from ..units import ANGLE
 from .tolerances import PRECISE, SAME_RESULT
 
-BESIDE_POSE = 1e-8
+NEAR_POSE = 1e-8
 """How far from the default pose its sides are looked at, in SI."""
 
 
 def sides(result: Result, pose: Pose, number: float | None) -> tuple[float, ...]:
-    """Return the limits of a result beside the default pose, none where they are its number."""
+    """Return the limits of a result next to the default pose, none where they are its number."""
     found = limits(result, pose)
     is_so = number is not None and all(math.isclose(s, number, rel_tol=SAME_RESULT) for s in found)
     return () if is_so else found
@@ -44,7 +44,7 @@ def movers(result: Result, pose: Pose) -> frozenset[str]:
     return frozenset(name for name, _ in _sides(result, pose))
 
 
-def beside(result: Result, pose: Pose) -> dict[str, float]:
+def values_nearby(result: Result, pose: Pose) -> dict[str, float]:
     """Return the value of a parameter on one side of the default pose, where slips have a sense.
 
     There is nothing where each has one at the default pose.
@@ -78,7 +78,7 @@ def _steps(pose: Pose, name: str) -> Iterator[float]:
     """Yield the steps to either side at which a parameter is in its range, and there is a pose."""
     low, high = range_of(name, pose.mechanism) or (-math.inf, math.inf)
     is_within = low <= pose_values(pose).get(name, 0.0) <= high
-    for step in (-BESIDE_POSE, BESIDE_POSE):
+    for step in (-NEAR_POSE, NEAR_POSE):
         values = values_along(pose, name, 2 * step)
         if _is_pose(pose, values) and (low <= values[name] <= high or not is_within):
             yield step

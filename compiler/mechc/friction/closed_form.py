@@ -24,18 +24,18 @@ from ..model.boxes import POSITIVE, allowed_box
 from ..model.result import Definition
 from ..model.values import Chain, completed, user_defined
 from ..named import NamedTuple
-from ..power.numbers import default_values, values_beside
+from ..power.numbers import default_values, values_near_default
 from .free_bodies import EquationsCoupled
 from .naming import Meanings, OwnNames, renamed
 from .signs import AtAnyPose, SignSymbols, bare, exact_sign, is_root
 from .signs_at_a_pose import SignsAtOnePose
 from .solution import FrictionStep
 
-BESIDE_DEFAULT = 1e-3
-"""How far beside the default pose signs are looked at, in radians: far enough for no rounding."""
+NEAR_DEFAULT = 1e-3
+"""How far from the default pose signs are looked at, in radians: far enough for no rounding."""
 
 AT_REST = 1e-9
-"""What is below this so far beside the pose, in SI, is zero there, too."""
+"""What is below this so far from the pose, in SI, is zero there, too."""
 
 Operator = Literal["<", "<=", ">", ">=", "="]
 
@@ -228,14 +228,14 @@ class DefaultPose:
         return found
 
     def _is_alone(self, found: PrintedFormula) -> bool:
-        """Return whether a sign is zero at the pose and not beside it: at a dead centre.
+        """Return whether a sign is zero at the pose and not next to it: at a dead centre.
 
         What holds there holds nowhere else. A pin that is at rest all along has none as well.
         """
         zeros = [formula for formula, operator in found.holds if operator == "="]
         if not zeros:
             return False
-        moved = values_beside(self._plan.graph.pose, BESIDE_DEFAULT)
+        moved = values_near_default(self._plan.graph.pose, NEAR_DEFAULT)
         known = completed({**self.values(), **moved}, found.where)
         return any(abs(evaluate(formula, known)) > AT_REST for formula in zeros)
 

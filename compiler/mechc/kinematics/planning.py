@@ -125,7 +125,7 @@ def _speeds_of(
     """Return the speeds of a block's unknowns: one that is known again, or all as solved.
 
     One that a single other gives stays by that where this is as short: it may be known again by
-    equal numbers alone, and the two arms OA and OB of 200 mm are not to stand beside each other.
+    equal numbers alone, and the two arms OA and OB of 200 mm are not to stand next to each other.
     """
     recalled = memory.recall(forms[0], group[0]) if len(group) == 1 else None
     if recalled is None:

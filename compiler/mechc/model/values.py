@@ -187,7 +187,7 @@ def complete(mechanism: Mechanism, given: Values) -> Values:
     return following(mechanism).complete(given)
 
 
-BESIDE_ZERO = 0.2
+NEAR_ZERO = 0.2
 """How far an angle of zero is moved where others are, in radians: no part of it is far enough."""
 
 
@@ -198,7 +198,7 @@ def bounds(parameter: Parameter) -> tuple[float, float]:
     if parameter.value and not parameter.dependent:
         value = evaluate(parameter.value, {})
         if not value and parameter.dimension == ANGLE:
-            return -BESIDE_ZERO, BESIDE_ZERO
+            return -NEAR_ZERO, NEAR_ZERO
         return value * 0.8, value * 1.25
     return (0.1, 1.4) if parameter.dimension == ANGLE else (0.5, 2.0)
 

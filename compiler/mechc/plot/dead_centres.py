@@ -11,13 +11,13 @@ from ..study.forms import form
 from .plot import Curve, Plot
 
 NEAR, ASIDE = 1e-12, 1e-3
-"""How far beside a point a factor is looked at, as parts of the range.
+"""How far from a point a factor is looked at, as parts of the range.
 
 Rounding leaves it no value where the mechanism can just be assembled.
 """
 
-NOTHING_BESIDE = 1e-4
-"""What is smaller than this part of what a factor is beside a point is nothing there."""
+NOTHING_NEARBY = 1e-4
+"""What is smaller than this part of what a factor is near a point is nothing there."""
 
 
 def with_dead_centres(plot: Plot, pose: Pose, results: Callable[[], Iterable[Analysis]]) -> Plot:
@@ -67,11 +67,11 @@ class _Rest:
                 [size for values in of if not math.isnan(size := abs(factor(values)))]
                 for of in (at, beside)
             )
-            is_nothing = bool(here and there) and min(here) < NOTHING_BESIDE * max(there)
+            is_nothing = bool(here and there) and min(here) < NOTHING_NEARBY * max(there)
             yield isinstance(vanishing.cause, DeadCentre) and is_nothing
 
     def _around(self, x: float) -> Iterator[list[float]]:
-        """Yield ``x`` and those as near as rounding allows, then those beside it."""
+        """Yield ``x`` and those as near as rounding allows, then those next to it."""
         near, aside = (part * (self.plot.high - self.plot.low) for part in (NEAR, ASIDE))
         yield [x, x - near, x + near]
         yield [x - aside, x + aside]

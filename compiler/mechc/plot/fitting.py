@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from .narrowing import BESIDE_POINT, Array, ArrayFunction, narrowed, on, without_holes
+from .narrowing import NEAR_POINT, Array, ArrayFunction, narrowed, on, without_holes
 from .sampling import PLOT_CELLS, PROMINENT, Trace
 
 OFF_THE_LINE = 3e-4
@@ -38,7 +38,7 @@ def smooth(function: ArrayFunction, trace: Trace, low: float, high: float) -> Tr
     xs, ys = without_holes(function, xs, ys)
     shown = np.clip(ys, low, high)
     jumps = sorted({*trace.jumps, *_steps(function, xs, shown, scale[1], trace.poles)})
-    near = BESIDE_POINT * scale[0]
+    near = NEAR_POINT * scale[0]
     turns = (t for t in trace.turns if all(abs(t.x - jump) > near for jump in jumps))
     if beside := [x for jump in jumps for x in (jump - near, jump + near) if xs[0] < x < xs[-1]]:
         xs = np.unique(np.array([*xs, *beside]))
@@ -49,7 +49,7 @@ def smooth(function: ArrayFunction, trace: Trace, low: float, high: float) -> Tr
 def _open(
     xs: Array, ys: Array, scale: tuple[float, float], low: float, high: float
 ) -> NDArray[np.intp]:
-    """Return the cells beside which a curve is bent, or that are steep."""
+    """Return the cells next to which a curve is bent, or that are steep."""
     x, y = xs / scale[0], np.clip(ys, low - scale[1], high + scale[1]) / scale[1]
     with np.errstate(invalid="ignore", divide="ignore"):
         dx, dy = np.diff(x), np.diff(y)
@@ -76,7 +76,7 @@ def _steps(
         return np.abs(values - start) <= np.abs(values - end)
 
     a, b = narrowed(is_before, xs[cells], xs[cells + 1])
-    width = BESIDE_POINT * (xs[cells + 1] - xs[cells])
+    width = NEAR_POINT * (xs[cells + 1] - xs[cells])
     jumps = np.abs(function(b + width) - function(a - width)) > JUMP_OF_PANEL * span / 2
     return list(map(float, np.where(is_before(b[:, None])[:, 0], b, a)[jumps]))
 

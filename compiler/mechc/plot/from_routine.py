@@ -14,7 +14,7 @@ from ..pose.places import Plane
 from ..routine.steps import Routine
 from ..units import LENGTH
 from .fitting import limits, pieces, smooth
-from .narrowing import BESIDE_POINT, Array, ArrayFunction, narrowed, on
+from .narrowing import NEAR_POINT, Array, ArrayFunction, narrowed, on
 from .plot import Curve, FamilyValue, Mark, MarkKind, Panel, Plot, PlotAxis, Zone
 from .quantities import PlotQuantity, quantities, unit_of
 from .query import Query, ZoneCondition
@@ -130,7 +130,7 @@ def _curve(
 def _least(values: Array) -> float:
     """Return the size below which a value counts as zero, compared with the range of values."""
     finite = values[np.isfinite(values)]
-    return BESIDE_POINT * float(np.ptp(finite)) if finite.size else 0.0
+    return NEAR_POINT * float(np.ptp(finite)) if finite.size else 0.0
 
 
 def _clean(value: float, least: float) -> float:

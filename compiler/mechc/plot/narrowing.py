@@ -14,8 +14,8 @@ PARTS, NARROWINGS = 64, 10
 A function of systems of equations is dear for each time that it is asked, not for each number.
 """
 
-BESIDE_POINT = 1e-9
-"""What a function is beside a point is what it is so far from it, as a part of a cell."""
+NEAR_POINT = 1e-9
+"""What a function is near a point is what it is so far from it, as a part of a cell."""
 
 EPS = float(np.finfo(np.float64).eps)
 
@@ -33,7 +33,7 @@ def without_holes(function: ArrayFunction, xs: Array, ys: Array) -> tuple[Array,
     Rounding decides whether a condition holds there that begins or ends at this very point.
     """
     holes = np.flatnonzero(lone(np.isnan(ys))[1:-1]) + 1
-    aside = BESIDE_POINT * np.minimum(xs[holes] - xs[holes - 1], xs[holes + 1] - xs[holes])
+    aside = NEAR_POINT * np.minimum(xs[holes] - xs[holes - 1], xs[holes + 1] - xs[holes])
     beside = on(function, xs[holes][:, None] + aside[:, None] * np.array([-1.0, 1.0]))
     left_out = holes[np.isfinite(beside).all(axis=1)]
     return np.delete(xs, left_out), np.delete(ys, left_out)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from ..named import NamedTuple
 from .narrowing import (
-    BESIDE_POINT,
     EPS,
+    NEAR_POINT,
     Array,
     ArrayFunction,
     lone,
@@ -64,7 +64,7 @@ def traced(function: ArrayFunction, low: float, high: float) -> Trace:
     high_up = {*map(float, xs[np.isinf(ys)]), *_touched(function, xs, ys)}
     found = sorted({*poles, *high_up, *_at_ends(function, xs, ys, edges)})
     poles = [
-        x for i, x in enumerate(found) if not i or x - found[i - 1] > BESIDE_POINT * (high - low)
+        x for i, x in enumerate(found) if not i or x - found[i - 1] > NEAR_POINT * (high - low)
     ]
     turns = tuple(_turns(function, xs, ys, np.array([*poles, *jumps])))
     size = _usual(ys)
@@ -133,14 +133,14 @@ def _touched(function: ArrayFunction, xs: Array, ys: Array) -> Iterator[float]:
     cells = np.flatnonzero(peaks & np.isfinite(sizes[1:-1])) + 1
     best = lowest(lambda x: -np.abs(function(x)), xs[cells - 1], xs[cells + 1])
     beside = np.maximum(sizes[cells - 1], sizes[cells + 1])
-    width = BESIDE_POINT * (xs[cells + 1] - xs[cells - 1])
+    width = NEAR_POINT * (xs[cells + 1] - xs[cells - 1])
     around = np.abs(on(function, best[:, None] + width[:, None] * np.array([-1.0, 0.0, 1.0])))
     largest = np.max(np.where(np.isnan(around), 0.0, around), axis=1)
     yield from map(float, best[largest > LARGE**2 * beside])
 
 
 def _turns(function: ArrayFunction, xs: Array, ys: Array, breaks: Array) -> Iterator[TurningPoint]:
-    """Yield the extrema between points, but for those beside a break."""
+    """Yield the extrema between points, but for those next to a break."""
     cells, signs = _turning_points(xs, ys, breaks)
     found = _refined(function, xs[cells - 1], xs[cells + 1], signs)
     for sign, x, y, bound in zip(signs, *found, signs * ys[cells], strict=True):

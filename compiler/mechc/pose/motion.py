@@ -45,7 +45,7 @@ class Motion:
     """Coordinates of points, directions of links, and how they change with the drive.
 
     Without a speed of the drive these are the slopes along it, with one velocities and
-    accelerations. ``definitions`` are what they rest on beside the definitions of the pose.
+    accelerations. ``definitions`` are what they rest on besides the definitions of the pose.
     """
 
     quantities: tuple[MotionQuantity, ...]

@@ -167,7 +167,7 @@ def values_along(pose: Pose, name: str, step: float) -> dict[str, float]:
     return _chain(pose).complete({**given, name: given.get(name, 0.0) + step})
 
 
-def values_beside(pose: Pose, step: float) -> dict[str, float]:
+def values_near_default(pose: Pose, step: float) -> dict[str, float]:
     """Return the values of a pose whose angles are up to a step farther on than by default.
 
     Each is by another part of it, so that no difference of two stays what it is.
@@ -271,7 +271,7 @@ def _check_branch(balance: Balance, values: Mapping[str, float], report: Report)
 
 
 def _are_at_rest(balance: Balance, values: Mapping[str, float]) -> bool:
-    """Return whether no load does work in the only motion there is, and all of them beside it.
+    """Return whether no load does work in the only motion there is, and all of them next to it.
 
     Joints alone balance any load there, whatever is left where what vanishes is cancelled.
     """

@@ -186,7 +186,7 @@ SHIFT = 0.01
 def _value(part: Formula, known: KnownQuantities) -> GivenQuantity | None:
     """Return the value of a part in a unit that suits it, None where it has none.
 
-    Rounding alone has no unit: that of what is zero is known from what it is beside there.
+    Rounding alone has no unit: that of what is zero is known from the terms that it is added to.
     """
     if not names_in(part) <= known.quantities.keys():
         return None

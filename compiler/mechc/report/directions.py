@@ -1,6 +1,6 @@
 """Directions of links that formulas have as sums of angles, under names of their own.
 
-A loop gives φ_AB and the angle μ_B between its sides, and a ternary link has δ_BQC beside: who
+A loop gives φ_AB and the angle μ_B between its sides, and a ternary link has δ_BQC as well: who
 writes by hand has φ_QC = φ_AB + μ_B + δ_BQC, where formulas mention that often enough.
 """
 

@@ -204,7 +204,7 @@ def _is_as_printed(section: Section, given: Mapping[str, GivenQuantity]) -> bool
 
     Where a force is zero without friction, friction gives it a sign that no formula has: the
     value is then that of the coupled equations, or of the sign that lets all forces balance. Where
-    a slip is 0 for once, it is that beside it.
+    a slip is 0 for once, it is that next to it.
     """
     values = values_of(given)
     for result in section.results:

@@ -21,7 +21,7 @@ class MadeNames:
     """The names made up for long formulas of one document, each with one meaning.
 
     ``Z1`` and ``Z_1`` are one name on paper, so that either keeps the other from being made up;
-    beside a point Z another letter is taken.
+    where there is a point Z another letter is taken.
     """
 
     def __init__(self) -> None:

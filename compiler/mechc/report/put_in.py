@@ -302,7 +302,7 @@ def _is_value(formula: Formula, given: Mapping[str, GivenQuantity]) -> bool:
 
 
 def has_units(formula: Formula, given: Mapping[str, GivenQuantity], is_number: bool) -> bool:
-    """Return whether a number of the formula has a unit: others must not be put in beside it.
+    """Return whether a number of the formula has a unit: others must not be put in next to it.
 
     What ``is_number`` itself, or an angle, is the same in all units where none has.
     """

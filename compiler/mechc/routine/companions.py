@@ -1,4 +1,4 @@
-"""What stands beside a result with friction: its form for elsewhere, and its status.
+"""What comes with a result with friction: its form for elsewhere, and its status.
 
 A closed form takes for granted that friction turns no force at a joint round. Where one is
 turned, code solves the coupled equations instead, in a function of its own. A number, or NaN,

@@ -113,7 +113,7 @@ def _slotted(rod: FreeBody, bodies: Iterable[FreeBody]) -> Iterator[FreeBody]:
 def _rounded(bodies: Sequence[FreeBody]) -> Iterator[FreeBody]:
     """Yield bodies with zeros where a force is only rounding, relative to the others.
 
-    So are couples of friction at pins, relative to those beside forces that are more than that.
+    So are couples of friction at pins, relative to those with forces that are more than that.
     """
     acting = [a for body in bodies for a in body.forces if a.force]
     least = VANISHED * max((math.hypot(*a.force) for a in acting if a.force), default=0.0)
@@ -124,7 +124,7 @@ def _rounded(bodies: Sequence[FreeBody]) -> Iterator[FreeBody]:
 
 
 def _clean(acting: Acting, least: float, couple: float) -> Acting:
-    """Return an action with a rounded zero as 0, and so the couple of a pin beside no force.
+    """Return an action with a rounded zero as 0, and so the couple of a pin without a force.
 
     A pin passes on what others rub on it, whether or not it passes on a force.
     """

@@ -29,7 +29,7 @@ AT_PINS = ("pin", "ground")
 
 
 class Acting(NamedTuple):
-    """A force at a point of a body and a couple beside it.
+    """A force at a point of a body and a couple with it.
 
     ``by`` is the load, the body, the pin or ``ground`` that it comes from, or ``branches``: the
     other copies. ``point`` is empty where there is no force. ``force`` is None where it isn't

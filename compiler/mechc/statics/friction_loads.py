@@ -129,15 +129,15 @@ def friction_forces(
     sense: Sense,
     driving: str,
     given: Mapping[str, float],
-    beside: Unfolding | None = None,
+    nearby: Unfolding | None = None,
 ) -> FrictionForces | str:
     """Return friction at every pair of surfaces, or why none is known that balances.
 
-    Where a pair does not slip its friction is against the slip of a pose ``beside``, if there is
+    Where a pair does not slip its friction is against the slip of a pose ``nearby``, if there is
     one: so forces come to what they are the nearer that is.
     """
     slipping = _responses(unfolding, driving, given)
-    near = _responses(beside, driving, given) if beside else slipping
+    near = _responses(nearby, driving, given) if nearby else slipping
     if isinstance(slipping, str) or isinstance(near, str):
         return slipping if isinstance(slipping, str) else str(near)
     slips = (a or b for a, b in zip(slipping.slips, near.slips, strict=True))

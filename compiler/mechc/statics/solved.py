@@ -39,11 +39,11 @@ def ideal(unfolding: Unfolding, case: LoadCase) -> StaticsSolution | str:
 
 
 def with_friction(
-    unfolding: Unfolding, case: LoadCase, beside: Unfolding | None = None
+    unfolding: Unfolding, case: LoadCase, nearby: Unfolding | None = None
 ) -> StaticsSolution | str:
     """Return all forces with friction, or why there are none.
 
-    What does not slip has the friction of a pose ``beside``, if there is one.
+    What does not slip has the friction of a ``nearby`` pose, if there is one.
     """
     tied = _ties(unfolding)
     unknown = _unknown(case, tied)
@@ -51,7 +51,7 @@ def with_friction(
         return SEVERAL
     (drive,) = unknown
     sense = unfolding.pose.mechanism.friction.sense
-    slipping = friction_forces(unfolding, sense, drive, case.sizes, beside)
+    slipping = friction_forces(unfolding, sense, drive, case.sizes, nearby)
     if isinstance(slipping, str):
         return slipping
     question, found = slipping.question, [0.0] * (len(slipping.question.system.unknowns) + 1)

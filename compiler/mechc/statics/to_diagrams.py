@@ -35,16 +35,16 @@ def diagrams(
     values: LoadSizes,
     places: PointPositions,
     sizes: LoadSizes,
-    beside: LoadSizes,
+    nearby: LoadSizes,
 ) -> tuple[Diagram, ...]:
     """Return the free bodies under every set of loads, without friction and then with it.
 
     ``values`` are those of all symbols of the pose, ``places`` where its points are drawn,
     ``sizes`` those of loads that are given. A joint that does not slide has the friction of the
-    pose that is ``beside``, if there is one.
+    pose that is ``nearby``, if there is one.
     """
     unfolding = Unfolding(pose, with_lets(pose.mechanism, values))
-    near = replace(unfolding, values=with_lets(pose.mechanism, beside)) if beside else None
+    near = replace(unfolding, values=with_lets(pose.mechanism, nearby)) if nearby else None
     found = cases(pose.mechanism, results, sizes_of(pose.mechanism, unfolding.values, sizes))
     several = {c.result for i, c in enumerate(found) if c.result in [o.result for o in found[:i]]}
     return tuple(
@@ -63,7 +63,7 @@ class _LoadSetMaker:
     unfolding: Unfolding
     places: PointPositions
     case: LoadCase
-    beside: Unfolding | None
+    nearby: Unfolding | None
 
     def diagrams(self, *, mixed: bool) -> Iterator[Diagram]:
         """Yield the diagram without friction, and one with it if there is any.
@@ -78,7 +78,7 @@ class _LoadSetMaker:
         elif friction.joints and mixed:
             yield self._empty(friction.sense, MIXED)
         elif friction.joints:
-            yield self._solved(friction.sense, partial(solved.with_friction, beside=self.beside))
+            yield self._solved(friction.sense, partial(solved.with_friction, nearby=self.nearby))
 
     def _empty(self, motion: ThreadMotion, trouble: str) -> Diagram:
         case = self.case

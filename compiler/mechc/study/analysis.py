@@ -79,7 +79,7 @@ class Extreme(NamedTuple):
 def least_and_greatest(found: Sequence[Extreme]) -> tuple[Extreme | None, Extreme | None]:
     """Return the extremes of all that were found, each with every place at which it is met.
 
-    A small value is not met wherever another one is small beside the greatest.
+    A small value is not met wherever another one is small relative to the greatest.
 
     >>> low, high = least_and_greatest([Extreme(1.0, 2.0), Extreme(3.0, 2.0), Extreme(2.0, 5.0)])
     >>> low, high

@@ -1,6 +1,6 @@
 """At which values in a range friction is looked at: evenly, and closely where much happens.
 
-Beside a dead centre k is small or large against friction, so that something stands
+Near a dead centre k is small or large against friction, so that something stands
 there, on however short a stretch. Between values where the efficiency is lowest something
 may stand, too, and between two such something may move where least is missing. Cells in
 which the ratio without friction is not nearly straight are halved, so that no dead centres
@@ -35,7 +35,7 @@ STUCK = 2
 """So much closer it is looked at where nothing moves: something may in between."""
 
 NEARER_VALUES = 8
-"""Further values beside a dead centre, each half as far from it as the one before."""
+"""Further values near a dead centre, each half as far from it as the one before."""
 
 NEAREST = 2.0**-20
 """How near the last of them is: as near as friction is sure to be larger than k, or k than it."""
@@ -140,7 +140,7 @@ def _solved_beside(moving: Moving, centre: float, step: float) -> Iterator[float
 def _alone(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     """Yield values of a motion at which alone nothing is found, at an end of a grid, too.
 
-    There a slip may be infinite though the ratio without friction is not, and beside it
+    There a slip may be infinite though the ratio without friction is not, and near it
     something may stand.
     """
     for a, x, b in _triples([grid[0], *grid, grid[-1]]):
@@ -323,7 +323,7 @@ def _loose(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
 def _bulging(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     """Yield the middles of cells in which an efficiency turns: they are above or below both ends.
 
-    Beside a jump the cell itself may hold its lowest or highest. Where cells are narrow and it
+    Next to a jump the cell itself may hold its lowest or highest. Where cells are narrow and it
     rises, or falls, from the value before one to that after it, its middle is not looked at.
     """
     values = [moving.efficiency(x) for x in grid]

@@ -73,7 +73,7 @@ BRANCH_POINT = 1e-6
 Angles of a triangle that is nearly flat have half the digits.
 """
 
-BESIDE_BRANCH_POINT = 1e-4
+NEAR_BRANCH_POINT = 1e-4
 """Nearer to a branch point than this part of the stroke an angle is off by more than k changes.
 
 A cosine next to 1 that is off by a rounding e is that of an angle x off by e/x, and k by e/x².
@@ -112,17 +112,17 @@ Rounding is left there in the thirteenth figure, and so is what a cubic is off i
 SMOOTH = 1e-2
 """What a cubic may be off between its places, as a part of what it changes by: more is a kink."""
 
-BESIDE_END = 0.01
+NEAR_END = 0.01
 """The part of a cell from an end of a part at which a turn before that end shows."""
 
-BESIDE_JAM = (0.01, 0.1, 0.23, 0.47)
+NEAR_JAM = (0.01, 0.1, 0.23, 0.47)
 """The parts of a cell from a jam at which a result is looked at: it may turn twice there."""
 
-BESIDE_ZERO = 1e-7
+NEAR_ZERO = 1e-7
 """The part of a stroke by which a simple zero is left, at the least: values are beyond rounding."""
 
 NOTHING_AT_END = 1e-3
-"""What a factor is at an end where it is nothing, at most, as a part of what it is beside it.
+"""What a factor is at an end where it is nothing, at most, as a part of what it is next to it.
 
 It goes to zero there as a root: 1e-3 is left at :data:`DIFFERENCE`, 1e-8 of rounding at the end.
 """

@@ -121,7 +121,7 @@ def last(
 
 
 NEARER = (8, 16, 24, 32, 40)
-"""How often a stretch is halved to values beside a zero at its end."""
+"""How often a stretch is halved to values next to a zero at its end."""
 
 
 def _beside_zero(

@@ -17,7 +17,7 @@ from .fault import Fault, check_length, check_once, note
 from .yaml import slips
 from .yaml.comments import comments, texts_cut_short, with_comments
 from .yaml.entries import several, statements
-from .yaml.layout import BESIDE, BY_NAME
+from .yaml.layout import BY_NAME, FURTHER_KEYS
 from .yaml.nodes import Listing, Mapping, Scalar, YamlNode, compose
 from .yaml.scalars import described
 from .yaml.sections import EntryShape, YamlSection
@@ -55,13 +55,13 @@ def read_root(root: YamlNode, report: Report) -> Iterator[ast.Statement]:
     for name, value in root.entries:
         if name.text in BY_NAME:
             yield from read_section(BY_NAME[name.text], name, value, root, report)
-        elif name.text not in BESIDE:
-            allowed = [*BY_NAME, *BESIDE]
+        elif name.text not in FURTHER_KEYS:
+            allowed = [*BY_NAME, *FURTHER_KEYS]
             hint = slips.of_section(name.text, allowed)
             place = "the description"
             note(syntax_yaml.unknown_key(name.span, name.text, place, allowed, hint), report)
-        elif not {key.text for key, _ in root.entries}.intersection(BESIDE[name.text]):
-            lacking = BESIDE[name.text][:1]
+        elif not {key.text for key, _ in root.entries}.intersection(FURTHER_KEYS[name.text]):
+            lacking = FURTHER_KEYS[name.text][:1]
             note(syntax_yaml.missing_key(name.span, lacking, f"'{name.text}'"), report)
 
 
@@ -83,7 +83,7 @@ def read_section(
 def with_beside(
     statement: ast.Statement, section: YamlSection, name: Scalar, root: Mapping, source: Source
 ) -> ast.Statement:
-    """Return the statement of a section that is one entry with what stands beside it."""
+    """Return the statement of a section that is one entry with the keys that go with it."""
     if section.shape is not EntryShape.ONE:
         return statement
     wanted = {key.name: key for key in section.beside}

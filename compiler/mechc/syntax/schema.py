@@ -9,7 +9,7 @@ from typing import Any
 
 from ..data_folders import data
 from ..units import DIMENSIONS
-from .yaml.layout import BESIDE, SECTIONS
+from .yaml.layout import FURTHER_KEYS, SECTIONS
 from .yaml.sections import EntryKey, EntryShape, SectionEntry, ValueKind, YamlSection
 
 Schema = dict[str, Any]
@@ -114,7 +114,7 @@ def schema() -> Schema:
         "additionalProperties": False,
         "dependentSchemas": {
             name: {"anyOf": [{"required": [section]} for section in owners]}
-            for name, owners in BESIDE.items()
+            for name, owners in FURTHER_KEYS.items()
         },
     }
 

@@ -87,7 +87,7 @@ def section_lines(section: YamlSection, found: Statements) -> list[str]:
 
 
 def one_lines(section: YamlSection, statement: ast.Statement) -> list[str]:
-    """Return the lines of a section that is one entry, with what stands beside it."""
+    """Return the lines of a section that is one entry, with the keys that go with it."""
     lines = with_comments(f"{section.name}: {value_text(statement, False)}", statement, 0)
     for beside in section.beside:
         value = fields_of(statement, beside)

@@ -150,7 +150,7 @@ def weight_in_mass(span: Span, digits: str) -> Message:
 
 
 ToleranceDoubt = Literal["value", "range", "angle"]
-"""What a tolerance is large beside: the value, the range, or any angle that is off."""
+"""What a tolerance is large relative to: the value, the range, or any angle that is off."""
 
 _TOLERANCES: dict[ToleranceDoubt, str] = {
     "value": "as large as its value: it may come to zero",

@@ -18,7 +18,7 @@ D = r"\mathrm{d}"
 """The sign of a derivative, as in the formulas beside it."""
 
 MOST_COLUMNS = 6
-"""How many columns a table has at most beside that of the drive."""
+"""How many columns a table has at most besides that of the drive."""
 
 
 NARROW, LONG = 4, 8

@@ -26,7 +26,7 @@ class FloatPrinter(Printer):
     pi = repr(math.pi)
 
     def call(self, function: str, arguments: list[str]) -> str:
-        """Return a call of one of the functions beside."""
+        """Return a call of one of the other functions."""
         return f"_{function}({', '.join(arguments)})"
 
     def power(self, base: str, exponent: str) -> str:

@@ -35,7 +35,7 @@ _MODULES = """
     unittest urllib uuid warnings weakref zipfile zipimport zlib
 """
 MODULES = frozenset(_MODULES.split())
-"""The modules that Python and NumPy load: one of that name beside a script is loaded instead."""
+"""The modules that Python and NumPy load: one of that name next to a script is loaded instead."""
 
 _FUNCTIONS = {
     "asin": "np.arcsin",

@@ -134,7 +134,7 @@ def wheel_on(pivot: ast.Name, scope: NameScope) -> Link | None:
 
 
 def _only_link(centre: ast.Name, arm: str, scope: NameScope) -> Link | None:
-    """Return the one link on a centre beside the arm."""
+    """Return the one link on a centre besides the arm."""
     links = [k for k in scope.points.carried.get(centre.text, []) if k.name != arm]
     if len(links) == 1:
         return links[0]

@@ -11,7 +11,7 @@ from ..statements import is_sheet
 from ..values import range_of
 
 PICTURES = ("scheme", "bodies", "plans", "stroke")
-"""What a report may hold beside results and plots."""
+"""What a report may hold besides results and plots."""
 
 
 def checked(

@@ -2,7 +2,7 @@
 
 What a used sheet declares gets the prefix, ``pin_d`` (:mod:`.brought`). Of a mechanism that a
 sheet uses parameters, loads and results come in. The results are those that the compiler finds
-of it; they go beside the statements, which name them only. A mechanism uses sheets, and other
+of it; they go along with the statements, which name them only. A mechanism uses sheets, and other
 mechanisms that it is joined to: these become parts of it (:mod:`.joining`).
 """
 

@@ -34,7 +34,7 @@ ACCENTS = {
 _IN_MATHEMATICS = {"\u0300": "grave", "\u0301": "acute", "\u0308": "ddot", "\u0304": "bar"}
 
 _HORN = "\u031b"
-"""The mark of Vietnamese that stands beside its letter."""
+"""The mark of Vietnamese that stands next to its letter."""
 
 
 def _between(ranges: str) -> frozenset[str]:
@@ -103,7 +103,7 @@ def _accented(letter: str, marks: Iterable[str]) -> str:
 
 
 def _with_marks(letter: str, marks: Iterable[str]) -> str:
-    """Return a letter with its marks, that beside it last."""
+    """Return a letter with its marks, that next to it last."""
     for mark in sorted(marks, key=_HORN.__eq__):
         letter = ACCENTS[mark].format(letter) if mark == _HORN else f"{ACCENTS[mark]}{{{letter}}}"
     return letter

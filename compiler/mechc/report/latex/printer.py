@@ -141,7 +141,7 @@ class _Latex(Typesetter[Box]):
         return plain(name_of(name, self.style))._replace(open=name.startswith("len_"))
 
     def _quantity(self, text: str) -> Box:
-        """Return a number with its unit; what is beside it is a factor of its own."""
+        """Return a number with its unit; what is next to it is a factor of its own."""
         inner = text.removeprefix("(").removesuffix(")")
         digits, unit = split_quantity(inner.removeprefix("-"))
         digits = "-" + digits if inner.startswith("-") else digits

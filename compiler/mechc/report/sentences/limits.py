@@ -72,7 +72,7 @@ def states_both(result: Analysis) -> bool:
 def _stated(result: Analysis, kind: str) -> list[Vanishing]:
     """Return the zeros, or the poles, that are stated: not long ones whose places are listed.
 
-    Beside a shorter one they are: else the places would seem to be where that one holds.
+    Next to a shorter one they are: else the places would seem to be where that one holds.
     """
     found: Sequence[Vanishing] = getattr(result, kind)
     looked = _looked(result)

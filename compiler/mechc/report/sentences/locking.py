@@ -31,7 +31,7 @@ Two are enough for an efficiency.
 """
 
 NIL = 1e-7
-"""An angle in radians that is nothing but rounding, beside a pose in which all sides lie flat."""
+"""An angle in radians that is nothing but rounding, next to a pose in which all sides lie flat."""
 
 
 def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterator[str]:

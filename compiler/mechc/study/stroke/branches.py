@@ -18,7 +18,7 @@ from ..tolerances import SAME_VALUE, TOUCHING_WIDTH, VANISHED_MARGIN
 from .stroke import ChangePoint
 
 TOUCHING = 0.25
-"""What is left of a margin beside where it is touched, at most: a ninth of a parabola's."""
+"""What is left of a margin next to where it is touched, at most: a ninth of a parabola's."""
 
 
 def branch_points(pose: Pose, along: PoseSweep, grid: Sequence[float]) -> tuple[ChangePoint, ...]:

@@ -5,17 +5,17 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise, product
 from typing import Literal
 
-from ...formula.jumps import BESIDE_JUMP
+from ...formula.jumps import NEAR_JUMP
 from ...formula.roots import RealFunction, lowest, roots
 from ...frozen import replace
 from ...model.mechanism import Efficiency, LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
 from ..sweep import Sweep
 from ..tolerances import (
-    BESIDE_BRANCH_POINT,
-    BESIDE_END,
-    BESIDE_JAM,
     CONSTANT,
+    NEAR_BRANCH_POINT,
+    NEAR_END,
+    NEAR_JAM,
     SAME_EFFICIENCY,
     SAME_RATIO,
     SAME_VALUE,
@@ -38,7 +38,7 @@ def extrema_along(
     branches: Sequence[ChangePoint],
     turns: Sequence[float] = (),
 ) -> tuple[Extremum, ...]:
-    """Return the extrema along a stroke; beside a branch point what looks like one is rounding.
+    """Return the extrema along a stroke; near a branch point what looks like one is rounding.
 
     Results with friction are looked at where it ``turns`` round, too: they have kinks there.
     """
@@ -59,11 +59,11 @@ def _on_stretch(
     branches: Sequence[ChangePoint],
     turns: Sequence[float],
 ) -> Iterator[Extremum]:
-    """Yield the extrema of a result on a stretch: between its breaks, and beside its jumps."""
+    """Yield the extrema of a result on a stretch: between its breaks, and next to its jumps."""
     own = [s for s in singular if s.value == "undetermined" and s.result in _shared(run, result)]
     jumps = [s for s in own if s.kind == "jump" and s.sides]
-    near = BESIDE_BRANCH_POINT * run.range
-    breaks = {s.drive: near for s in own} | {s.drive: BESIDE_JUMP * run.range for s in jumps}
+    near = NEAR_BRANCH_POINT * run.range
+    breaks = {s.drive: near for s in own} | {s.drive: NEAR_JUMP * run.range for s in jumps}
     breaks |= {b.drive: near for b in branches}
     grid = run.within(stretch)
     value = run.values(result.formula, result)
@@ -131,14 +131,14 @@ def with_values(part: Sequence[float], value: RealFunction) -> Iterator[Sequence
 def _up_to_jams(part: Sequence[float], low: float, high: float) -> list[float]:
     """Return the places of a grid between two ends, and closer ones in the cells next to these."""
     cell = max(b - a for a, b in pairwise(part))
-    near = [x for d in BESIDE_JAM for x in (low + d * cell, high - d * cell)]
+    near = [x for d in NEAR_JAM for x in (low + d * cell, high - d * cell)]
     return sorted({low, high, *(x for x in (*part, *near) if low < x < high)})
 
 
 def _part(inner: Sequence[float], first: float, last: float) -> list[float]:
     """Return places between two ends, with some close to the ends."""
     after, before = (inner[0], inner[-1]) if inner else (last, first)
-    close = (first + (after - first) * BESIDE_END, last + (before - last) * BESIDE_END)
+    close = (first + (after - first) * NEAR_END, last + (before - last) * NEAR_END)
     return sorted({first, *close, *inner, last})
 
 
@@ -148,7 +148,7 @@ def beside_jump(
     """Yield the sides of a jump that are the least or greatest nearby: the result turns there."""
     assert jump.sides is not None
     for way, value, other in zip((-1, 1), jump.sides, reversed(jump.sides), strict=True):
-        away = along.of(result.formula, result, jump.drive + way * BESIDE_BRANCH_POINT * range_)
+        away = along.of(result.formula, result, jump.drive + way * NEAR_BRANCH_POINT * range_)
         for sense, kind in KINDS.items():
             if sense * value < sense * other and sense * (away - value) > SAME_RATIO * abs(value):
                 yield Extremum(result.name, kind, jump.drive, value)
@@ -208,7 +208,7 @@ def extrema(
     """Yield the extrema between values that lie close together.
 
     A direction that passes half a turn goes on at the other end of its values. Where a formula is
-    0/0, ``across`` returns at which value the result turns beside, and what it is there.
+    0/0, ``across`` returns at which value the result turns nearby, and what it is there.
     """
     values = [*map(along.function(result.formula, result), grid)]
     least = CONSTANT * _usual(values)

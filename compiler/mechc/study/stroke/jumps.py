@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from itertools import pairwise, product
 
-from ...formula.jumps import BESIDE_JUMP, JUMP_WIDTH, Jump, is_steady, jumps, side
+from ...formula.jumps import JUMP_WIDTH, NEAR_JUMP, Jump, is_steady, jumps, side
 from ...formula.roots import RealFunction, spaced
 from ...formula.tree import Formula, is_call
 from ...formula.walk import walk
@@ -75,12 +75,12 @@ def jumping(
 ) -> Iterator[Singular]:
     """Yield where a result jumps between values of a grid, unless it is nothing but rounding.
 
-    It may do so at ``turns`` as well, be it by less than what it changes by in the cells beside.
+    It may do so at ``turns`` as well, be it by less than what it changes by in the next cells.
     Seen next to one it is there: what is divided by next to nothing is rounded most.
     """
     size, range_ = along.function(result.formula, result), grid[-1] - grid[0]
     seen, places = jumps(size, grid), spaced(grid[0], grid[-1], PLACES)
-    near = 2 * BESIDE_JUMP * range_
+    near = 2 * NEAR_JUMP * range_
     others = [x for x in turns if all(abs(x - jump.x) > near for jump in seen)]
     placed = (jump._replace(x=_nearest(turns, jump.x, near)) for jump in seen)
     for jump in (*placed, *_at_turns(size, others, range_)):
@@ -100,7 +100,7 @@ def is_on_the_stroke(found: Singular, run: StrokeRun) -> bool:
 
     There it is on one side, and rounding alone makes it the other.
     """
-    near = 2 * BESIDE_JUMP * run.range
+    near = 2 * NEAR_JUMP * run.range
     return not found.sides or run.low + near < found.drive < run.high - near
 
 
@@ -118,7 +118,7 @@ def _jumping(name: str, jump: Jump, along: Sweep, range_: float) -> Singular:
 def _at_turns(size: RealFunction, turns: Sequence[float], range_: float) -> Iterator[Jump]:
     """Yield the turns at which a function jumps by what shows in its figures."""
     for x in turns:
-        before, after = (side(size, x, way * BESIDE_JUMP * range_) for way in (-1, 1))
+        before, after = (side(size, x, way * NEAR_JUMP * range_) for way in (-1, 1))
         jump = Jump(x, JUMP_WIDTH * range_, before, after)
         shows = abs(after - before) > SHOWN_JUMP * max(abs(before), abs(after))
         if shows and is_steady(size, jump, range_):

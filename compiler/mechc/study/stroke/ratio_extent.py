@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from ...diagnostics import Report
-from ...formula.jumps import BESIDE_JUMP, side
+from ...formula.jumps import NEAR_JUMP, side
 from ...formula.roots import spaced
 from ...formula.tree import Formula
 from ...friction.solution import FrictionSolution
@@ -189,4 +189,4 @@ def _at_end(result: Analysis, along: Sweep, x: float, other: float) -> float:
     """Return a ratio at one of two ends: where rounding alone is left, what it comes to there."""
     value = along.function(result.formula, result)
     known = along.beyond_rounding(result, x, value(x))
-    return side(value, x, (other - x) * BESIDE_JUMP) if known is None else known
+    return side(value, x, (other - x) * NEAR_JUMP) if known is None else known

@@ -1,7 +1,7 @@
 """Where the formula of a result is 0/0 and the result runs on: what it comes to, from both sides.
 
 A crank that is square to the line of its slider moves it as it turns, and by neither of two sines
-that are zero there. At that place a formula has no value, and beside it what rounding makes of one.
+that are zero there. At that place a formula has no value, and near it what rounding makes of one.
 """
 
 import math
@@ -61,7 +61,7 @@ class RemovablePlaces:
         self._across: dict[float, Cubic | None] = {}
 
     def is_one(self, x: float) -> bool:
-        """Return whether rounding is all that the formula has at a place, and not beside it."""
+        """Return whether rounding is all that the formula has at a place, and not next to it."""
         return self.across(x) is not None
 
     def across(self, x: float) -> Cubic | None:

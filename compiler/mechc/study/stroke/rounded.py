@@ -12,12 +12,12 @@ from ...formula.roots import spaced
 from ...formula.rounding import with_error
 from ...model.result import Result
 from ..sweep import Sweep
-from ..tolerances import BESIDE_ZERO, BRANCH_POINT, LOST, NEARBY, NEGLIGIBLE
+from ..tolerances import BRANCH_POINT, LOST, NEAR_ZERO, NEARBY, NEGLIGIBLE
 from .run import StrokeRun
 from .stroke import ChangePoint, Extremum, Singular, StrokeInterval, ZeroInterval
 
 ASIDE = (1, 2, 4)
-"""So many values away an extremum is compared with what is beside it, if nearer ones are equal."""
+"""So many values away an extremum is compared with what is next to it, if nearer ones are equal."""
 
 FEW, MANY = 8, 180
 """Parts of a stretch between which a result shows that it is not zero, and that it seems to be."""
@@ -40,8 +40,8 @@ def rounded(
 def is_turning(found: Extremum, result: Result, along: Sweep, grid: Sequence[float]) -> bool:
     """Return whether a result turns by more than what rounding may have made of its values.
 
-    Beside a branch point rounding may be larger than what the result changes by. Where friction
-    turns round the bound holds for either sign of it, so that it is taken from beside there.
+    Near a branch point rounding may be larger than what the result changes by. Where friction
+    turns round the bound holds for either sign of it, so that it is taken from next to there.
     """
     sense = 1 if found.kind == "minimum" else -1
     step = NEARBY[0] * (grid[-1] - grid[0])
@@ -117,7 +117,7 @@ def _flat_part(x: float, result: Result, run: StrokeRun) -> tuple[float, float]:
 
     Of most zeros there is no such part: both ends are the zero.
     """
-    along, least = run.along, BESIDE_ZERO * run.range
+    along, least = run.along, NEAR_ZERO * run.range
 
     def is_flat(at: float) -> bool:
         return along.beyond_rounding(result, at) == 0

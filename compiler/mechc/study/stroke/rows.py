@@ -134,7 +134,7 @@ class StrokeSizes:
         return with_error(filled.formula, filled.where, rounding).error
 
     def _beyond_rounding(self, filled: Filled, x: float) -> float:
-        """Return a value, 0 where it is but rounding: that grows beside a pose as at a pole."""
+        """Return a value, 0 where it is but rounding: that grows near a pose as at a pole."""
         number, rounding = filled.at(x), self._run.along.rounding_inside(x)
         size = beyond_rounding(number, filled.formula, filled.where, rounding)
         return number if size.number is None else size.number

@@ -357,11 +357,11 @@ SECTIONS: tuple[YamlSection, ...] = (
 )
 
 BY_NAME = {section.name: section for section in SECTIONS}
-BESIDE = {
+FURTHER_KEYS = {
     beside.name: [s.name for s in SECTIONS if beside in s.beside]
     for section in SECTIONS
     for beside in section.beside
 }
-"""The keys that stand beside a section, and the sections of which one must be there."""
+"""The keys that go with a section, and the sections of which one must be there."""
 ORDER = {entry.node: n for n, section in enumerate(SECTIONS) for entry in section.entries}
 """The place of each node's section: YAML has an order of sections, not of statements."""

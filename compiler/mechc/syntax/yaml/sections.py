@@ -103,7 +103,7 @@ def key(name: str, kind: ValueKind, *fields: str, required: bool = True) -> Entr
 
 
 def optional(name: str, kind: ValueKind, *fields: str, needs: tuple[str, ...] = ()) -> EntryKey:
-    """Return a key that may be left out; it may need others beside it."""
+    """Return a key that may be left out; it may need others with it."""
     return EntryKey(name, kind, fields or (name,), needs=needs)
 
 
