@@ -47,21 +47,21 @@ def test_places_are_listed_instead_of_a_long_condition():
 def test_a_long_condition_stands_beside_a_short_one_that_does_not_hold_at_the_places():
     """At all four places it is the sum, and |sin(φ_BD − φ_QD)| is at least 0.96."""
     (line,) = (each for each in said("double_butterfly") if "vanishes when" in each)
-    assert "when sin(φ_BD − φ_QD) = 0 or AF · sin(φ − φ_EG) · sin(φ_AF − φ_CF) + AG" in line
+    assert "when sin(φ_QD − φ_BD) = 0 or AF · sin(φ_EG − φ) · sin(φ_AF − φ_CF) − AG" in line
     found = good_mechanisms.compiled("double_butterfly")
     spell = speller(found.reported.results, found.mechanism, True, "en")
     (k,) = found.reported.results
     (extent,) = k.extents
     without = replace(k, extents=(replace(extent, zeros=()),))
     (line,) = limits(replace(without, poles=()), "k", spell.locale, spell)
-    assert line.startswith("k vanishes when sin(φ_BD − φ_QD) = 0 (dead centre")
+    assert line.startswith("k vanishes when sin(φ_QD − φ_BD) = 0 (dead centre")
     assert line.endswith("; sampling finds none for 0° ≤ φ ≤ 360° and the values given.")
 
 
 @pytest.mark.parametrize(("language", "word"), [("en", "or"), ("ru", "или"), ("uk", "або")])
 def test_a_condition_has_the_name_that_its_sum_has_on_the_page(language, word):
     text = mechc.load("double_butterfly").emit("latex", language=language)
-    assert rf"$\sin(\varphi_{{BD}}-\varphi_{{QD}})=0$ {word} $Z_2=0$" in text
+    assert rf"$\sin(\varphi_{{QD}}-\varphi_{{BD}})=0$ {word} $Z_2=0$" in text
 
 
 def test_what_is_neither_zero_nor_infinite_is_stated_once():
@@ -214,3 +214,13 @@ def test_each_place_stands_with_the_condition_that_holds_there():
     unknown = replace(extent, vanishes={1.0: first})
     (line,) = extent_remarks(replace(k, extents=(unknown,)), "k", spell.locale, spell)
     assert "k is 0 at φ = 57.3°, φ = 114.6° and φ = 171.9° (found" in line
+
+
+def test_a_condition_has_its_sum_as_the_formula_has_it():
+    """Neither in another order nor with the other sign, with a name of its own or without."""
+    (zero,) = (line for line in said("triad_press") if "load is perpendicular" in line)
+    assert "when b · sin(σ − β) · sin γ − c · sin(τ − γ) · sin β = 0" in zero
+    found = good_mechanisms.compiled("class_four_block")
+    text = render(found.derivation, found.mechanism)
+    assert "k vanishes when Z₂ = 0" in text
+    assert "k becomes infinite when Z₁ = 0" in text

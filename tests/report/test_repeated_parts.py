@@ -56,7 +56,7 @@ def test_what_is_short_or_a_letter_of_a_point_is_not_taken():
 def test_a_derivation_has_the_denominator_of_a_triad_once():
     compilation = compiled("triad_closed")
     shown = " ".join(render(compilation.reported, compilation.mechanism).split())
-    assert shown.count("BC · sin(φ_AB − φ_RD) · sin(φ_BC − φ_QC)") == 1
+    assert shown.count("BC · sin(φ_AB − φ_RD) · sin(φ_QC − φ_BC)") == 1
     assert "where Z₁ = BC ·" in shown
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from ..diagnostics import Diagnostic, Severity
 from ..driver import Compilation
 from ..formula.evaluate import evaluate
+from ..formula.rewriting import plus_first
 from ..formula.to_text import text, text_in_degrees
 from ..formula.tree import ZERO, Constant, Formula, Number
 from ..frozen import replace
@@ -200,7 +201,7 @@ def _in_language(line: NoteLine, spell: TextSpeller) -> str:
 
 def _described(formula: Formula, spell: TextSpeller) -> str:
     """Return a formula in the notation of descriptions, constant angles in degrees."""
-    return spell.as_described(text_in_degrees(formula))
+    return spell.as_described(text_in_degrees(plus_first(formula)))
 
 
 def _is_given(result: Analysis) -> bool:

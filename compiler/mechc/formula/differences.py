@@ -53,11 +53,11 @@ def with_positive_sines(
 ) -> Formula:
     """Write sin(a − b)/sin(c − b) as sin(b − a)/sin(b − c) where both are negative at the values.
 
-    So are more of them, with a minus in front or in pairs; the formula's value is the same. A
-    product with a minus and one such sine above the line is written without the minus. The
-    ``values`` are asked for only where there are such sines. A sine or cosine of an angle that a
-    ``quarter`` turns becomes the other one, if the formula grows no ``longer`` than by so many
-    operations.
+    So are more of them, with a minus in front or in pairs; the formula's value is the same. A term
+    of a sum that is negative by one such sine has a minus instead. A product with a minus and one
+    such sine above the line is written without the minus. The ``values`` are asked for only where
+    there are such sines. A sine or cosine of an angle that a ``quarter`` turns becomes the other
+    one, if the formula grows no ``longer`` than by so many operations.
 
     >>> from .tree import Symbol, quotient
     >>> from .to_text import text
@@ -73,6 +73,12 @@ def with_positive_sines(
     >>> values = lambda: {"a": 0.1, "b": 0.5}
     >>> text(with_positive_sines(Call("cos", (angle,)), values, lambda angle: -90))
     'sin(b - a + 67*pi/180)'
+    >>> whole = total([product([(b, 1), (sines[0], 1)]), c])
+    >>> text(with_positive_sines(whole, lambda: {"a": 0.1, "b": 0.5, "c": 1.0}))
+    'c - b*sin(b - a)'
+    >>> below, values = product([(a, 1), (whole, -1)]), lambda: {"a": 0.1, "b": 2.0, "c": 1.0}
+    >>> text(with_positive_sines(below, values))
+    '-a/(b*sin(b - a) - c)'
     """
     if count_operations(formula) > MOST_READ_OPERATIONS:
         return formula
@@ -244,12 +250,40 @@ def _sines_turned(formula: Formula, at: SharedEvaluation) -> Formula:
             above = over_positive(factors, at) or whole
             factors = above.factors if isinstance(above, Product) else factors
             return _turned_in_pairs(factors, at) or above
+        case Sum(terms):
+            return _terms_turned(terms, at) or whole
         case Power(base, Number(value) as exponent) if value.denominator == 1 and not value % 2:
             return Power(negative(base), exponent) if has_minus(base) else whole
         case Call("abs", (inner,)) if turned := _sine_turned(inner, at):
             return Call("abs", (turned,))
         case _:
             return whole
+
+
+def _terms_turned(terms: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
+    """Return a sum in which negative sines behind a plus are positive ones behind a minus.
+
+    None where there are none, or nothing would be left without a minus to begin with.
+    """
+    turned = [_behind_minus(term, at) or term for term in terms]
+    if turned == [*terms] or all(map(has_minus, turned)):
+        return None
+    return total(sorted(turned, key=has_minus) if has_minus(turned[0]) else turned)
+
+
+def _behind_minus(term: Formula, at: SharedEvaluation) -> Formula | None:
+    """Return a term that is negative by one sine of a difference with a minus; None for another."""
+    if has_minus(term):
+        return None
+    factors = term.factors if isinstance(term, Product) else (term,)
+    turned = {
+        i: new
+        for i, f in enumerate(factors)
+        if not isinstance(f, Sum) and (new := _sine_turned(f, at))
+    }
+    if len(turned) != 1:
+        return None
+    return negative(product((turned.get(i, f), 1) for i, f in enumerate(factors)))
 
 
 def _turned_in_pairs(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
@@ -284,7 +318,8 @@ def _sum_turned(terms: Sequence[Formula], at: SharedEvaluation) -> Formula | Non
     """Return a sum turned round that is negative by a sine of a difference; None for another."""
     turned = [_without_minus(negative(term)) for term in terms]
     is_led = any(
-        not has_minus(new) and not has_minus(old) for new, old in zip(turned, terms, strict=True)
+        not has_minus(new) and (not has_minus(old) or _has_sine(new))
+        for new, old in zip(turned, terms, strict=True)
     )
     try:
         return (
@@ -294,6 +329,12 @@ def _sum_turned(terms: Sequence[Formula], at: SharedEvaluation) -> Formula | Non
         )
     except KeyError:
         return None
+
+
+def _has_sine(term: Formula) -> bool:
+    """Return whether a factor of a term is the sine of a difference."""
+    factors = term.factors if isinstance(term, Product) else (term,)
+    return any(map(_sine_turned, factors))
 
 
 def _is_negative_sine(difference: Sum, at: SharedEvaluation) -> bool:

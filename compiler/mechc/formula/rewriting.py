@@ -51,9 +51,10 @@ def _sign_apart(formula: Formula) -> tuple[int, Formula]:
 
 
 def plus_first(formula: Formula) -> Formula:
-    """Return a formula in whose sums a term without a minus leads; what is squared has none.
+    """Return a formula in whose sums a term without a minus leads.
 
-    A component of which all terms have a minus has one before it.
+    What is squared, or stands between bars, has no minus before it. A component of which all
+    terms have a minus has one before it.
 
     >>> from .tree import Symbol
     >>> from .to_text import text
@@ -66,10 +67,12 @@ def plus_first(formula: Formula) -> Formula:
     'hypot(a + b, a + b)'
     >>> text(plus_first(Call("atan2", (both, Symbol("c")))))
     'atan2(-(a + b), c)'
+    >>> text(plus_first(Call("abs", (both,))))
+    'abs(a + b)'
     """
     parts = tuple(map(plus_first, children(formula)))
-    if isinstance(formula, Call) and formula.function in ("hypot", "atan2"):
-        is_even = formula.function == "hypot"
+    if isinstance(formula, Call) and formula.function in ("abs", "hypot", "atan2"):
+        is_even = formula.function != "atan2"
         parts = tuple(_after_minus(part, is_even) for part in parts)
     if isinstance(formula, Power) and _is_even(formula.exponent) and has_minus(parts[0]):
         return Power(negative(parts[0]), formula.exponent)

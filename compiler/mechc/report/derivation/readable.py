@@ -17,7 +17,7 @@ from ...formula.differences import (
 from ...formula.layout import has_minus, over_line
 from ...formula.operations import count_operations
 from ...formula.rewriting import plus_first, without_sign
-from ...formula.tree import ZERO, Formula, Product, is_call, negative
+from ...formula.tree import ZERO, Formula, Product, Sum, is_call, negative, total
 from ...formula.walk import symbols, walk
 from ...frozen import replace
 from ...kinematics.plan import Plan
@@ -38,6 +38,11 @@ _OPPOSITE: Mapping[str, Literal["<", "<=", ">", ">="]] = {
     ">=": "<=",
 }
 """The signs of conditions of which both sides are negative."""
+
+
+def _terms(formula: Formula) -> frozenset[Formula]:
+    """Return the terms of a sum, whatever their order; none of what is no sum."""
+    return frozenset(formula.terms) if isinstance(formula, Sum) else frozenset()
 
 
 class ReadableFormulas:
@@ -87,8 +92,12 @@ class ReadableFormulas:
         if factor in walk(formula):
             return factor
         turned = zero_as_written(factor, self._values, self._quarter)
-        shown = (without_sign(differences_as_in(one, formula)) for one in (factor, turned))
-        return next((one for one in shown if one in walk(formula)), turned)
+        both = (factor, turned)
+        opposite = (total(map(negative, s.terms)) for s in both if isinstance(s, Sum))
+        shown = [without_sign(differences_as_in(one, formula)) for one in (*both, *opposite)]
+        sums = {frozenset(s.terms): s for s in walk(formula) if isinstance(s, Sum)}
+        ordered = (sums.get(_terms(one), one) for one in shown)
+        return next((one for one in ordered if one in walk(formula)), turned)
 
     def equations(self, equations: Iterable[Equation]) -> tuple[Equation, ...]:
         """Return equations, either side of each by itself."""
