@@ -12,7 +12,7 @@ from mechc.figure.figure import AngleMark, DimensionLine, MirrorLine, Pivot, Rac
 from mechc.figure.from_balance import _MotionMaker
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
-from mechc.figure.linear_vectors import DrawnVector, Linear, LinearVectors, open_way
+from mechc.figure.linear_vectors import DrawnVector, Linear, LinearVectors, open_vector
 from mechc.figure.velocities import MotionVelocities, rates
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import ZERO, Constant, Symbol, degrees, negative, number, product, total
@@ -66,27 +66,27 @@ def near(plane):
 
 def test_open_lengths_close_their_loop():
     """From O 3 ahead and 4 up, back by s along x and t along y."""
-    ways = [
+    vectors = [
         DrawnVector("O", "A", Linear(Plane(3.0, 4.0))),
         DrawnVector("A", "B", Linear(parts={"s": X.times(-1)})),
         DrawnVector("B", "O", Linear(parts={"t": Y.times(-1)})),
     ]
-    assert choose(ways, ["s", "t"], 1.0) == pytest.approx({"s": 3.0, "t": 4.0})
+    assert choose(vectors, ["s", "t"], 1.0) == pytest.approx({"s": 3.0, "t": 4.0})
 
 
 def test_a_length_that_no_loop_fixes_is_a_usual_one():
-    assert choose([open_way("O", "A", X)], ["OA"], 0.7) != {}
+    assert choose([open_vector("O", "A", X)], ["OA"], 0.7) != {}
     assert choose([DrawnVector("O", "A", Linear(parts={"s": X}))], ["s"], 0.7) == {"s": 0.7}
 
 
 def test_no_rod_is_turned_round_where_loops_allow_it():
     """s − t = 2 with both near 1: the nearest are 2 and 0, which is shorter than drawn."""
-    ways = [
+    vectors = [
         DrawnVector("O", "A", Linear(parts={"s": X})),
         DrawnVector("A", "B", Linear(parts={"t": X.times(-1)})),
         DrawnVector("O", "B", Linear(Plane(2.0, 0.0))),
     ]
-    found = choose(ways, ["s", "t"], 1.0)
+    found = choose(vectors, ["s", "t"], 1.0)
     assert found["s"] - found["t"] == pytest.approx(2.0)
     assert found["t"] == pytest.approx(0.2)
 
@@ -153,9 +153,9 @@ def test_a_pin_lies_in_its_slot():
 
 
 def test_a_slider_is_guided_along_its_direction():
-    ways = LinearVectors(slider_crank(), VALUES)
-    assert ways.guide("B") == near(X)
-    assert ways.unit(at(90)) == near(Y)
+    vectors = LinearVectors(slider_crank(), VALUES)
+    assert vectors.guide("B") == near(X)
+    assert vectors.unit(at(90)) == near(Y)
 
 
 def test_a_given_length_is_measured_along_its_vector():
@@ -223,7 +223,7 @@ def test_gears_touch_on_the_line_of_their_centres_wherever_it_leads():
     ],
 )
 def test_open_lengths_grow_until_twins_are_apart(monkeypatch, gaps, chosen):
-    def laid_out(ways, factor):
+    def laid_out(vectors, factor):
         points = {"B": Plane(gaps.get(factor, 1.0), 0.0)}
         return layout.FigureLayout(points, MirrorLine(Plane(0.0, 0.0), Y), {"a": factor}, 1.0, 0.0)
 

@@ -17,8 +17,8 @@ from mechc.kinematics.from_pose import _check_frame, plan_velocities
 from mechc.kinematics.graph import Graph, Relation, Rule, SpeedKind, UnknownSpeed
 from mechc.kinematics.locked import described, locked
 from mechc.kinematics.planning import _speeds_of, plan_of
+from mechc.kinematics.readable import readable_plan
 from mechc.kinematics.solving import MOST_UNNAMED_TERMS, Binder, Memory, by_one_other, solve
-from mechc.kinematics.standing import standing
 from mechc.model.mechanism import Find, Friction, LoadRatio, PinFriction
 from mechc.source import Source, Span
 from small_poses import (
@@ -245,7 +245,7 @@ def test_a_short_sum_stays():
 def test_a_standing_plan_has_the_same_speeds():
     for pose in (slider_crank(), two_bars(), slotted()):
         found = plan(pose)
-        read = standing(found)
+        read = readable_plan(found)
         for unknown, speeds in found.speeds.items():
             assert number(read.speeds[unknown]) == pytest.approx(number(speeds))
 

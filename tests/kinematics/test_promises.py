@@ -8,7 +8,7 @@ from mechc.algebra.product import ONE
 from mechc.driver import Compilation
 from mechc.frozen import replace
 from mechc.kinematics.check import broken_promises
-from mechc.kinematics.standing import standing
+from mechc.kinematics.readable import readable_plan
 from mechc.source import Source
 from small_poses import (
     RACK,
@@ -28,7 +28,7 @@ from small_poses import (
 def test_promises_are_kept(name):
     plan = begun(name).plan
     assert broken_promises(plan) == []
-    assert broken_promises(standing(plan)) == []
+    assert broken_promises(readable_plan(plan)) == []
 
 
 @pytest.mark.parametrize("seed", range(20))

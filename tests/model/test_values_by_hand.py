@@ -14,9 +14,9 @@ from mechc.model.values import (
     Looked,
     following,
     of_sound_form,
-    standing,
     user_defined,
     usual_units,
+    valid_form,
     valued,
 )
 from mechc.source import Source, Span
@@ -41,7 +41,7 @@ ALONE = replace(HERE, elsewhere=None)
     ],
 )
 def test_the_form_that_stands_is_that_whose_conditions_hold(result, x, found):
-    assert standing(result, {"x": x}) == found
+    assert valid_form(result, {"x": x}) == found
 
 
 @pytest.mark.parametrize(("x", "found"), [(1.0, (HERE, 1.0)), (-1.0, (ELSEWHERE, 2.0))])

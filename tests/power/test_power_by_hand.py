@@ -18,7 +18,7 @@ from mechc.power.balance import equations_of
 from mechc.power.joint_forces import called, find_force, holding, joint_of, line_of, size_of
 from mechc.power.loads import given_size, occurrences, shares, terms
 from mechc.power.magnitudes import even, length, magnitude, root
-from mechc.power.numbers import is_nil_everywhere
+from mechc.power.numbers import is_zero_everywhere
 from mechc.power.reactions import ForceTerm, Reactions, directions
 from mechc.power.remarks import looseness
 from mechc.power.speed_results import speed
@@ -300,7 +300,7 @@ SQUARES = [power(Call(name, (Symbol("alpha"),)), number(2)) for name in ("sin", 
 
 
 @pytest.mark.parametrize(
-    ("formula", "is_nil"),
+    ("formula", "is_zero"),
     [
         (ZERO, True),
         (Symbol("P"), False),
@@ -309,5 +309,5 @@ SQUARES = [power(Call(name, (Symbol("alpha"),)), number(2)) for name in ("sin", 
         (Symbol("unknown"), False),
     ],
 )
-def test_what_is_zero_with_other_parameters_too_is_nil_everywhere(formula, is_nil):
-    assert is_nil_everywhere(formula, (), lever()) == is_nil
+def test_what_is_zero_with_other_parameters_too_is_zero_everywhere(formula, is_zero):
+    assert is_zero_everywhere(formula, (), lever()) == is_zero

@@ -18,7 +18,7 @@ from mechc.model.mechanism import (
 )
 from mechc.model.result import Result
 from mechc.pose.pose import PointContact
-from mechc.statics.acts import Acts
+from mechc.statics.actions import Actions
 from mechc.statics.assembly import AssembledBodies, Cylinder, Plane, PointForce, Transfer
 from mechc.statics.balanced import Balanced
 from mechc.statics.cases import sizes_of
@@ -129,18 +129,18 @@ def test_a_pair_of_forces_pushes_its_second_point_ahead_and_the_first_one_back()
 
 
 def test_a_rod_in_tension_pulls_its_ends_together():
-    acts = Acts(Unfolding(slider_crank(), ALL).assembly())
-    acts.unknown(UnknownForce("AB", "", "tension"), 2.0)
-    (at_a,), (at_b,) = acts.on_pins["A"].values(), acts.on_pins["B"].values()
+    actions = Actions(Unfolding(slider_crank(), ALL).assembly())
+    actions.unknown(UnknownForce("AB", "", "tension"), 2.0)
+    (at_a,), (at_b,) = actions.on_pins["A"].values(), actions.on_pins["B"].values()
     along = 2 * math.cos(PSI), 2 * math.sin(PSI)
     assert at_a.force == pytest.approx(along)
     assert at_b.force == pytest.approx(tuple(-part for part in along))
 
 
 def test_a_guide_acts_across_itself():
-    acts = Acts(Unfolding(slider_crank(), ALL).assembly())
-    acts.unknown(UnknownForce("guide", "B", "normal"), 3.0)
-    (found,) = acts.on_pins["B"].values()
+    actions = Actions(Unfolding(slider_crank(), ALL).assembly())
+    actions.unknown(UnknownForce("guide", "B", "normal"), 3.0)
+    (found,) = actions.on_pins["B"].values()
     assert found.force == pytest.approx((0, 3))
 
 

@@ -66,7 +66,7 @@ def test_a_zero_that_is_none_would_be_seen():
     stroke = mechanism.stroke(3)
     (part,) = stroke.stretches
     false = ZeroInterval("k", part.low, part.high)
-    assert list(zero_throughout(mechanism, replace(stroke, nil=(false,))))
+    assert list(zero_throughout(mechanism, replace(stroke, zero_intervals=(false,))))
 
 
 def test_at_the_end_of_a_loop_it_does_not():

@@ -62,7 +62,7 @@ def test_a_toggle_that_folds_has_no_zeros_of_rounding(tmp_path):
     text = of_two_lengths(other("joined", 91000108), tmp_path)
     compilation = Compilation(Source("fold.mech", text, folder=tmp_path))
     stroke = compilation.stroke(3)
-    (part,) = stroke.nil
+    (part,) = stroke.zero_intervals
     assert (part.low, part.high) == tuple(b.drive for b in stroke.branches)
     jumps = [(s.drive, s.value, s.kind) for s in stroke.singular]
     assert jumps == [(end, "undetermined", "jump") for end in (part.low, part.high)]

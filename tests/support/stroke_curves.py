@@ -51,9 +51,9 @@ class Curve:
         self.places = np.linspace(stroke.low, stroke.high, PLACES)
         self.cell = self.places[1] - self.places[0]
         found = self.at(self.places)
-        nil = self.where_nil()
-        self.k = np.where((np.abs(found) < NIL) | (nil & np.isfinite(found)), 0.0, found)
-        finite = np.abs(self.k[np.isfinite(self.k) & ~nil])
+        zero_intervals = self.where_nil()
+        self.k = np.where((np.abs(found) < NIL) | (zero_intervals & np.isfinite(found)), 0.0, found)
+        finite = np.abs(self.k[np.isfinite(self.k) & ~zero_intervals])
         self.size = float(np.median(finite)) if finite.size else 0.0
         self.singular = [s for s in stroke.singular if s.result == name]
         self.extrema = [e for e in stroke.extrema if e.result == name]
@@ -63,7 +63,7 @@ class Curve:
 
     def where_nil(self) -> Array:
         """Return at which places the result is said to be zero throughout, which others refute."""
-        parts = [n for n in self.stroke.nil if n.result == self.name]
+        parts = [n for n in self.stroke.zero_intervals if n.result == self.name]
         inside = [(self.places >= n.low) & (self.places <= n.high) for n in parts]
         return np.any(inside, axis=0) if inside else np.zeros(PLACES, bool)
 

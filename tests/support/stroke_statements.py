@@ -66,7 +66,7 @@ def stuck(ratios: Ratios, stroke: Stroke, name: str, places: np.ndarray) -> Iter
 
 def zero_throughout(mechanism: SolvedMechanism, stroke: Stroke) -> Iterator[str]:
     """Yield where a result is not zero on a part on which it is said to be, but for rounding."""
-    for part in stroke.nil:
+    for part in stroke.zero_intervals:
         width = part.high - part.low
         places = np.linspace(part.low + CLEAR * width, part.high - CLEAR * width, DENSE)
         is_constant = not mechanism[part.result].free_symbols

@@ -13,7 +13,7 @@ from ..friction import at_rest
 from ..frozen import replace
 from ..model.mechanism import Mechanism, Parameter, Require, Subject
 from ..model.result import Definition, FrictionResult, Result, UsedSolution
-from ..model.values import Values, completed, holds, ordered, standing, user_defined
+from ..model.values import Values, completed, holds, ordered, user_defined, valid_form
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..units import ANGLE
@@ -150,7 +150,7 @@ def _value(result: Result, values: Values) -> float | None:
 
     None where there is none.
     """
-    form = standing(result, values)
+    form = valid_form(result, values)
     if form is None:
         return None
     known = completed(values, form.where)
@@ -163,7 +163,7 @@ def _value(result: Result, values: Values) -> float | None:
 
 def is_at_rest(result: Result, values: Values) -> bool:
     """Return whether a slip is 0 at the values of a sheet, so that its friction has no sense."""
-    form = standing(result, values)
+    form = valid_form(result, values)
     return form is not None and at_rest.slips_at_rest(form, values) > 0
 
 

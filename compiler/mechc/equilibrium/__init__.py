@@ -1,8 +1,8 @@
 """Equilibrium by hand: sums of forces and moments, body by body, as a course in statics asks.
 
 Of virtual power it knows the mechanism, its pose and its degrees of freedom, and no velocity.
-``acts`` says how links and pins are cut free, what an act on one is, and which sums may be written
-of it; ``exerted`` what joints and loads do to them, which ``bodies`` gathers body by body.
+``actions`` says how links and pins are cut free, what acts on one, and which sums may be written of
+it; ``exerted`` what joints and loads do to them, which ``bodies`` gathers body by body.
 ``order`` chooses the sums that give one force after another, ``at_joints`` says what a force at
 a joint is the sum of, ``from_plan`` does all of it for each load: ``equilibrium`` is that as data.
 

@@ -10,7 +10,7 @@ from ..kinematics.joint_refs import held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Reaction
 from ..model.parts.targets import ResultTarget
 from ..pose.pose import Arm, Pose, Vector
-from .acts import Act, FreeBody, X, Y, part_along, summed, unit
+from .actions import Action, FreeBody, X, Y, part_along, summed, unit
 from .bodies import Cut
 from .equilibrium import EquilibriumSum
 
@@ -49,17 +49,21 @@ def made_up(target: ResultTarget | None, name: str, cut: Cut, pose: Pose) -> Equ
     """Return a component of a force at a joint as the sum of what acts there, None without one."""
     match target:
         case Reaction(point, link, "x" | "y" as part):
-            acts = _on_link(link, point, cut, pose) if link else _of_ground(point, cut, pose)
+            actions = _on_link(link, point, cut, pose) if link else _of_ground(point, cut, pose)
             lines = _components(AXES[part], point, link, pose)
         case Axial(link) if link in pose.frames:
             point = held_end(pose.mechanism, pose.mechanism.link(link))
-            acts = _on_link(link, point, cut, pose)
+            actions = _on_link(link, point, cut, pose)
             lines = None if _is_shared(point, link, pose) else _outwards(link, point, pose)
         case _:
             return None
-    if acts is None or lines is None:
+    if actions is None or lines is None:
         return None
-    parts = [(act.name, part_along(act, arm.angle) * arm.length) for act in acts for arm in lines]
+    parts = [
+        (action.name, part_along(action, arm.angle) * arm.length)
+        for action in actions
+        for arm in lines
+    ]
     terms = {name: Product(-1), **summed(parts)}
     return EquilibriumSum(link, terms, along=lines[0].angle, pin=point)
 
@@ -80,28 +84,28 @@ def _outwards(link: str, point: str, pose: Pose) -> Vector:
     return unit(pose.vector(link, other, point))
 
 
-def _on_link(link: str, point: str, cut: Cut, pose: Pose) -> tuple[Act, ...] | None:
-    """Return the acts on a link through a pin."""
+def _on_link(link: str, point: str, cut: Cut, pose: Pose) -> tuple[Action, ...] | None:
+    """Return the forces that act on a link through a pin."""
     body = next((b for b in cut.bodies if b.name == link), None)
     if body is not None:
-        return tuple(act for act in body.acts if act.pin == point)
+        return tuple(action for action in body.actions if action.pin == point)
     rod = next((f for f in cut.forces if (f.kind, f.subject[0]) == ("rod", link)), None)
     if rod is None:
         return None
     tail, head = pose.mechanism.link(link).points
     pull = 1 if point == head else -1
     return tuple(
-        Act(rod.names[0], part.scaled(pull), along)
+        Action(rod.names[0], part.scaled(pull), along)
         for part, along in unit(pose.vector(link, tail, head))
     )
 
 
-def _of_ground(point: str, cut: Cut, pose: Pose) -> tuple[Act, ...] | None:
+def _of_ground(point: str, cut: Cut, pose: Pose) -> tuple[Action, ...] | None:
     """Return the force of the ground at a pivot or a guide; None where a whole body is guided."""
     if point in pose.mechanism.fixed:
-        return tuple(act._replace(size=-act.size) for act in cut.ground[point])
+        return tuple(action._replace(size=-action.size) for action in cut.ground[point])
     guides = [f for f in cut.forces if (f.kind, *f.subject) == ("guide", point)]
-    return tuple(Act(f.names[0], ONE, pose.guides[point] + QUARTER) for f in guides) or None
+    return tuple(Action(f.names[0], ONE, pose.guides[point] + QUARTER) for f in guides) or None
 
 
 def _is_shared(point: str, link: str, pose: Pose) -> bool:
@@ -113,13 +117,15 @@ def _is_shared(point: str, link: str, pose: Pose) -> bool:
 def called(cut: Cut, names: Mapping[str, str]) -> Cut:
     """Return the free bodies with forces under the names of what was asked for."""
 
-    def named(acts: Iterable[Act]) -> tuple[Act, ...]:
-        return tuple(act._replace(name=names.get(act.name, act.name)) for act in acts)
+    def named(actions: Iterable[Action]) -> tuple[Action, ...]:
+        return tuple(
+            action._replace(name=names.get(action.name, action.name)) for action in actions
+        )
 
     def rods(body: FreeBody) -> dict[str, str]:
         return {names.get(force, force): rod for force, rod in body.rods.items()}
 
-    bodies = (replace(body, acts=named(body.acts), rods=rods(body)) for body in cut.bodies)
-    ground = {pivot: named(acts) for pivot, acts in cut.ground.items()}
+    bodies = (replace(body, actions=named(body.actions), rods=rods(body)) for body in cut.bodies)
+    ground = {pivot: named(actions) for pivot, actions in cut.ground.items()}
     forces = (f._replace(names=tuple(names.get(n, n) for n in f.names)) for f in cut.forces)
     return Cut(tuple(bodies), ground, tuple(forces))

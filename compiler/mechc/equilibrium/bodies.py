@@ -13,7 +13,7 @@ from ..algebra.angle import Angle
 from ..model.mechanism import Mechanism
 from ..named import NamedTuple
 from ..pose.pose import Pose, Vector
-from .acts import Act, Cutting, FreeBody, cutting, lines_of
+from .actions import Action, Cutting, FreeBody, cutting, lines_of
 from .equilibrium import JointForce
 from .exerted import Exerted, by_joints, by_loads
 
@@ -22,7 +22,7 @@ class Cut(NamedTuple):
     """All free bodies, what acts on the ground at each pivot, and the forces between them."""
 
     bodies: tuple[FreeBody, ...]
-    ground: Mapping[str, tuple[Act, ...]]
+    ground: Mapping[str, tuple[Action, ...]]
     forces: tuple[JointForce, ...]
 
 
@@ -31,19 +31,19 @@ def cut_free(pose: Pose) -> Cut:
     cut = cutting(pose)
     exerted = tuple(_named_apart(by_joints(cut), pose.mechanism))
     forces = tuple(each.force for each in exerted)
-    acts: dict[str, list[Act]] = {name: [] for name in cut.rigid}
-    for body, act in (*(act for each in exerted for act in each.acts), *by_loads(cut)):
-        acts.setdefault(body, []).append(act)
+    actions: dict[str, list[Action]] = {name: [] for name in cut.rigid}
+    for body, action in (*(action for each in exerted for action in each.actions), *by_loads(cut)):
+        actions.setdefault(body, []).append(action)
     rods = {f.names[0]: f.subject[0] for f in forces if f.kind == "rod"}
     fixed = pose.mechanism.fixed
-    bodies = (_free_body(name, acts[name], rods, cut) for name in acts if name not in fixed)
-    return Cut(tuple(bodies), {p: tuple(acts.get(p, ())) for p in fixed}, forces)
+    bodies = (_free_body(name, actions[name], rods, cut) for name in actions if name not in fixed)
+    return Cut(tuple(bodies), {p: tuple(actions.get(p, ())) for p in fixed}, forces)
 
 
 def _named_apart(exerted: Iterable[Exerted], mechanism: Mechanism) -> Iterator[Exerted]:
     """Yield what joints exert under names that neither parameters, loads nor others have."""
     taken = {p.name for p in mechanism.parameters} | {load.name for load in mechanism.loads}
-    for force, acts in exerted:
+    for force, actions in exerted:
         free: dict[str, str] = {}
         for name in force.names:
             unused = name
@@ -51,15 +51,15 @@ def _named_apart(exerted: Iterable[Exerted], mechanism: Mechanism) -> Iterator[E
                 unused += "_"
             taken.add(unused)
             free[name] = unused
-        renamed = tuple((body, act._replace(name=free[act.name])) for body, act in acts)
+        renamed = tuple((body, action._replace(name=free[action.name])) for body, action in actions)
         yield Exerted(force._replace(names=tuple(free.values())), renamed)
 
 
-def _free_body(name: str, acts: list[Act], rods: Mapping[str, str], cut: Cutting) -> FreeBody:
+def _free_body(name: str, actions: list[Action], rods: Mapping[str, str], cut: Cutting) -> FreeBody:
     """Return a body with what acts on it, and the sums that may be written for it."""
     pose, mechanism = cut.pose, cut.mechanism
     points = cut.rigid.get(name, (name,))
-    on_it = {a.name: rods[a.name] for a in acts if a.name in rods}
+    on_it = {a.name: rods[a.name] for a in actions if a.name in rods}
     guide = pose.slides[name] if name in pose.slides else pose.guides.get(name)
     frame: Mapping[str, Vector] = {}
     if any(group.shares(points) for group in mechanism.symmetries):
@@ -69,8 +69,8 @@ def _free_body(name: str, acts: list[Act], rods: Mapping[str, str], cut: Cutting
         lines = [pose.slides[name]]
     else:
         frame = pose.frames[name] if name in cut.rigid else {}
-        lines = list(lines_of(acts, guide))
-    return FreeBody(name, tuple(acts), frame, tuple(lines), guide, on_it)
+        lines = list(lines_of(actions, guide))
+    return FreeBody(name, tuple(actions), frame, tuple(lines), guide, on_it)
 
 
 def _line_of_symmetry(cut: Cutting) -> Angle | None:

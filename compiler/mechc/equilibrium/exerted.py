@@ -28,10 +28,10 @@ from ..named import NamedTuple
 from ..pose.pose import Arm, PointContact, Vector, gathered
 from ..power.loads import owners
 from ..power.numbers import pose_values
-from .acts import Act, Cutting, X, Y, unit
+from .actions import Action, Cutting, X, Y, unit
 from .equilibrium import JointForce
 
-ActOnBody = tuple[str, Act]
+ActionOnBody = tuple[str, Action]
 """The body that something acts on, and what acts; a pivot stands for the ground there."""
 
 
@@ -39,7 +39,7 @@ class Exerted(NamedTuple):
     """A force to be found, and how it, or each of its components, acts on bodies."""
 
     force: JointForce
-    acts: tuple[ActOnBody, ...]
+    actions: tuple[ActionOnBody, ...]
 
 
 def by_joints(cut: Cutting) -> Iterator[Exerted]:
@@ -60,7 +60,7 @@ def by_joints(cut: Cutting) -> Iterator[Exerted]:
             yield exerted
 
 
-def by_loads(cut: Cutting) -> Iterator[ActOnBody]:
+def by_loads(cut: Cutting) -> Iterator[ActionOnBody]:
     """Yield the loads, each under the name of the one that it is tied to."""
     tied_to = owners(cut.mechanism)
     for load in cut.mechanism.loads:
@@ -68,8 +68,8 @@ def by_loads(cut: Cutting) -> Iterator[ActOnBody]:
         yield from _load(load, owner, part.scaled(rational(load.times)), cut)
 
 
-def _exerted(force: JointForce, *acts: Iterable[ActOnBody]) -> Exerted:
-    return Exerted(force, tuple(act for several in acts for act in several))
+def _exerted(force: JointForce, *actions: Iterable[ActionOnBody]) -> Exerted:
+    return Exerted(force, tuple(action for several in actions for action in several))
 
 
 # ------------------------------------------------------------------------------ rods and pins
@@ -78,13 +78,13 @@ def _exerted(force: JointForce, *acts: Iterable[ActOnBody]) -> Exerted:
 def _rod(rod: Link, cut: Cutting) -> Exerted:
     tail, head = rod.points
     name = f"N_{rod.name}"
-    acts = [
-        act
+    actions = [
+        action
         for part, along in unit(cut.pose.vector(rod.name, tail, head))
         for point, size in ((tail, part), (head, -part))
-        for act in _on_pin(name, point, along, rod.points, cut, size)
+        for action in _on_pin(name, point, along, rod.points, cut, size)
     ]
-    return _exerted(JointForce("rod", (name,), (rod.name,)), acts)
+    return _exerted(JointForce("rod", (name,), (rod.name,)), actions)
 
 
 def _pin(point: str, cut: Cutting) -> Iterator[Exerted]:
@@ -94,15 +94,15 @@ def _pin(point: str, cut: Cutting) -> Iterator[Exerted]:
     for body in others:
         of = point if len(others) == 1 else f"{point}_{body}"
         force, lines = _held(body, point, of, host, cut)
-        acts = [
-            act
+        actions = [
+            action
             for name, along in zip(force.names, lines, strict=True)
-            for act in (
+            for action in (
                 (body, _at(name, along, cut.pose.frames[body][point], pin=point)),
                 *_on_pin(name, point, along, cut.rigid[body], cut, Product(-1)),
             )
         ]
-        yield _exerted(force, acts)
+        yield _exerted(force, actions)
 
 
 def _held(
@@ -182,12 +182,12 @@ def _wheels(pair: WheelPair, cut: Cutting) -> Exerted:
     second = cut.pose.radii[pair.second_radius].scaled(-1 if pair.same else 1)
     if (along := _to_pitch_point(pair, cut)) is not None:
         sides = zip(pair.wheels, pair.points, (first, -second), (ONE, Product(-1)), strict=True)
-        acts = [
+        actions = [
             (link, _at(name, along + QUARTER, _from(link, point, Arm(radius, along), cut), size))
             for link, point, radius, size in sides
             if link
         ]
-        return _exerted(force, acts)
+        return _exerted(force, actions)
     return _exerted(
         force,
         _couple(name, pair.first_link, first),
@@ -273,37 +273,37 @@ def _rope(rope: Rope, cut: Cutting) -> Exerted:
     """Return the tension that draws the ends of each fall together."""
     name = f"S_{rope.route[0]}"
     falls = zip(pairwise(rope.route), cut.pose.falls[rope.id], strict=True)
-    acts = [
-        act
+    actions = [
+        action
         for (tail, head), way in falls
         for point, size in ((tail, ONE), (head, Product(-1)))
-        for act in _on_pin(name, point, way, rope.points, cut, size)
+        for action in _on_pin(name, point, way, rope.points, cut, size)
     ]
-    return _exerted(JointForce("rope", (name,), rope.route[:1]), acts)
+    return _exerted(JointForce("rope", (name,), rope.route[:1]), actions)
 
 
 # -------------------------------------------------------------------------------------- loads
 
 
-def _load(load: Load, owner: str, size: Product, cut: Cutting) -> Iterator[ActOnBody]:
+def _load(load: Load, owner: str, size: Product, cut: Cutting) -> Iterator[ActionOnBody]:
     if not load.pushes:
         for link in load.links:
             yield from _couple(owner, link, size)
     by = cut.points(load.host) or tuple(push.point for push in load.pushes)
     for link, point, sense in load.pushes:
-        act = Act(owner, size if sense > 0 else -size, cut.pose.lines[load.name])
-        yield from _loaded(act, link, point, by, cut)
+        action = Action(owner, size if sense > 0 else -size, cut.pose.lines[load.name])
+        yield from _loaded(action, link, point, by, cut)
 
 
 def _loaded(
-    act: Act, link: str, point: str, by: Iterable[str], cut: Cutting
-) -> Iterator[ActOnBody]:
+    action: Action, link: str, point: str, by: Iterable[str], cut: Cutting
+) -> Iterator[ActionOnBody]:
     """Yield a load on a link at a point, or on the pin there."""
-    assert act.along is not None, "what acts at a point is a force"
+    assert action.along is not None, "what acts at a point is a force"
     if link in cut.rigid:
-        yield link, _at(act.name, act.along, cut.pose.frames[link][point], act.size)
+        yield link, _at(action.name, action.along, cut.pose.frames[link][point], action.size)
     else:
-        yield from _on_pin(act.name, point, act.along, by, cut, act.size)
+        yield from _on_pin(action.name, point, action.along, by, cut, action.size)
 
 
 # ------------------------------------------------------------------------ what acts on a body
@@ -311,7 +311,7 @@ def _loaded(
 
 def _on_pin(
     name: str, point: str, along: Angle, by: Iterable[str], cut: Cutting, size: Product = ONE
-) -> Iterator[ActOnBody]:
+) -> Iterator[ActionOnBody]:
     """Yield what goes through some points, and acts on what carries a pin."""
     host = cut.host(point) or point
     arm = cut.pose.frames[host][point] if host in cut.rigid else ()
@@ -319,11 +319,11 @@ def _on_pin(
     yield host, _at(name, along, arm, size.scaled(often), point)
 
 
-def _at(name: str, along: Angle, at: Vector, size: Product = ONE, pin: str = "") -> Act:
-    return Act(name, size, along, gathered(at), pin)
+def _at(name: str, along: Angle, at: Vector, size: Product = ONE, pin: str = "") -> Action:
+    return Action(name, size, along, gathered(at), pin)
 
 
-def _couple(name: str, body: str, size: Product) -> Iterator[ActOnBody]:
+def _couple(name: str, body: str, size: Product) -> Iterator[ActionOnBody]:
     """Yield a couple on a body; the ground, '', takes it."""
     if body:
-        yield body, Act(name, size, None)
+        yield body, Action(name, size, None)

@@ -9,7 +9,7 @@ from ..model.mechanism import LoadForm, LoadRatio, ResultTarget
 from ..pose.pose import Pose
 from ..power.balance import AlgebraicResult
 from ..power.numbers import pose_values
-from .acts import balances
+from .actions import balances
 from .at_joints import called, force_between, made_up
 from .bodies import Cut, cut_free
 from .equilibrium import Equilibrium, EquilibriumStep, EquilibriumSum

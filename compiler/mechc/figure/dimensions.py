@@ -47,7 +47,7 @@ def dimensions(half: Half) -> Iterator[Measure]:
 
 
 def _all(half: Half) -> Iterator[Measure]:
-    mechanism = half.ways.pose.mechanism
+    mechanism = half.vectors.pose.mechanism
     lost = set(lost_places(mechanism))
     for entry in mechanism.geometry:
         if not isinstance(entry, Offset) or entry.head not in lost:
@@ -100,7 +100,7 @@ def _distance(
     start = tail or _origin(half)
     if not start:
         return
-    value = evaluate(formula, half.ways.values)
+    value = evaluate(formula, half.vectors.values)
     along = line or half.at(head).minus(half.at(start)).unit()
     if along is None or abs(value) < NO_LENGTH * half.size:
         return
@@ -112,9 +112,9 @@ def _distance(
 
 def _origin(half: Half) -> str:
     """Return the pivot that has its place in the origin, '' where none is there."""
-    for entry in half.ways.pose.mechanism.geometry:
+    for entry in half.vectors.pose.mechanism.geometry:
         if isinstance(entry, Offset) and not entry.tail:
-            place = [evaluate(coordinate, half.ways.values) for coordinate in (entry.x, entry.y)]
+            place = [evaluate(coordinate, half.vectors.values) for coordinate in (entry.x, entry.y)]
             if not any(place):
                 return entry.head
     return ""
@@ -122,7 +122,7 @@ def _origin(half: Half) -> str:
 
 def _length(formula: Formula, half: Half) -> str:
     """Return a length's formula, its plain numbers in the unit that they are written in."""
-    mechanism = half.ways.pose.mechanism
+    mechanism = half.vectors.pose.mechanism
     if not symbols(formula):
         return _written(evaluate(formula, {}), _unit(formula, mechanism))
     if isinstance(formula, Sum):
@@ -160,20 +160,20 @@ def _angle(vertex: str, line: Direction, half: Half) -> Iterator[AngleMark]:
         return
     angle = to_angle(line.angle)
     if angle is None:
-        sweep = evaluate(line.angle, half.ways.values)
+        sweep = evaluate(line.angle, half.vectors.values)
         yield _mark(vertex, 0.0, sweep, text(line.angle), half)
         return
     start = Angle(tuple(t for t in angle.terms if t[0] == RADIAN), angle.degrees)
     rest = angle - start
     shown = -rest if all(c < 0 for _, c in rest.terms) else rest
-    values = half.ways.values
+    values = half.vectors.values
     name = text(shown.formula())
     yield _mark(vertex, start.evaluate(values), rest.evaluate(values), name, half)
 
 
 def _sweep(vertex: str, towards: Plane, angle: Formula, half: Half) -> Iterator[AngleMark]:
     if symbols(angle):
-        sweep = half.sense * evaluate(angle, half.ways.values)
+        sweep = half.sense * evaluate(angle, half.vectors.values)
         yield AngleMark(half.point(vertex), towards.angle, sweep, text(angle))
 
 

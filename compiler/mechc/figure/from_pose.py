@@ -39,15 +39,15 @@ def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
     twins = _twins(layout, pose.mechanism)
     points = {**layout.points, **dict(_images(layout, twins))}
     values |= layout.lengths
-    copies, ways = pose.mechanism.copies, LinearVectors(pose, values)
+    copies, vectors = pose.mechanism.copies, LinearVectors(pose, values)
     return Figure(
         name=pose.mechanism.name,
         title=pose.mechanism.title,
         points=points,
-        parts=tuple(_parts(ways, layout, points, twins)),
+        parts=tuple(_parts(vectors, layout, points, twins)),
         mirror=layout.mirror,
         copies=int(copies.number) if copies else 1,
-        axis=_axis(ways, layout, copies.sharing) if copies else None,
+        axis=_axis(vectors, layout, copies.sharing) if copies else None,
         size=layout.size,
         values=values,
         chosen=(*chosen, *layout.lengths),
@@ -87,11 +87,13 @@ def _laid_out(pose: Pose, values: Mapping[str, float]) -> FigureLayout | None:
     return layout if finite and layout.gap < SAME_PLACE else None
 
 
-def _axis(ways: LinearVectors, layout: FigureLayout, sharing: Sequence[str]) -> MirrorLine | None:
+def _axis(
+    vectors: LinearVectors, layout: FigureLayout, sharing: Sequence[str]
+) -> MirrorLine | None:
     """Return the line about which copies are: that on which a point of all of them is guided."""
     for point in sharing:
-        if ways.pose.guide_of(point) is not None:
-            return MirrorLine(layout.points[point], ways.guide(point))
+        if vectors.pose.guide_of(point) is not None:
+            return MirrorLine(layout.points[point], vectors.guide(point))
     return None
 
 
@@ -111,16 +113,19 @@ def _images(layout: FigureLayout, twins: Mapping[str, str]) -> Iterator[tuple[st
 
 
 def _parts(
-    ways: LinearVectors, layout: FigureLayout, points: Mapping[str, Plane], twins: Mapping[str, str]
+    vectors: LinearVectors,
+    layout: FigureLayout,
+    points: Mapping[str, Plane],
+    twins: Mapping[str, str],
 ) -> Iterator[Part]:
     """Yield the parts of the described half, its measurements, then what the twin has of its own.
 
     What joins points that both halves share, or a point and its twin, is there once.
     """
-    mirror = ways.pose.mechanism.mirror
+    mirror = vectors.pose.mechanism.mirror
     shared = frozenset(mirror.sharing if mirror else ())
     images = {**{twin: name for name, twin in twins.items()}, **twins}
-    half = Half(ways, points, layout.size, shared, images, layout.mirror)
+    half = Half(vectors, points, layout.size, shared, images, layout.mirror)
     yield from parts(half)
     yield from dimensions(half)
     if mirror is not None:
@@ -143,7 +148,7 @@ def _texts(value: object) -> Iterator[str]:
 
 def parts(half: Half) -> Iterator[Part]:
     """Yield the drawn part of every body, joint and load."""
-    mechanism = half.ways.pose.mechanism
+    mechanism = half.vectors.pose.mechanism
     yield from (_drawn_body(body, half) for body in mechanism.bodies)
     yield from (drawn_joint(joint, half) for joint in joints_shown(mechanism))
     yield from (_drawn_load(load, half) for load in mechanism.loads)
@@ -157,12 +162,12 @@ def _drawn_body(body: model.Body, half: Half) -> Part:
             groove = half.length(radius)
             return drawn.ArcSlot(points[1], half.link(link), half.point(centre), groove)
         case model.Link(name):
-            bars = rods(body, half.ways.pose.mechanism.geometry)
+            bars = rods(body, half.vectors.pose.mechanism.geometry)
             named = tuple((half.point(a), half.point(b)) for a, b in bars)
             corners = outline(points, half.points)
             return drawn.Link(half.link(name), points, corners, named, body.label)
         case model.Slide(name):
-            along = half.unit(half.ways.pose.slides[name])
+            along = half.unit(half.vectors.pose.slides[name])
             corners = outline(points, half.points)
             guide = half.line(along, *body.points)
             return drawn.Slide(half.link(name), points, corners, along, guide)
@@ -182,7 +187,7 @@ def _drawn_load(load: model.Load, half: Half) -> Part:
         case model.Force(spread=model.Spread() as spread):
             return _spread(load, spread, half)
         case model.Force(name, point):
-            along, times = half.unit(half.ways.pose.lines[name]), float(load.times)
+            along, times = half.unit(half.vectors.pose.lines[name]), float(load.times)
             link = load.link and half.link(load.link)
             return drawn.Force(name, half.point(point), along, load.weight, times, link)
         case model.Torque(name, link):
@@ -198,13 +203,13 @@ def _drawn_load(load: model.Load, half: Half) -> Part:
 
 def _spread(load: model.Force, spread: model.Spread, half: Half) -> drawn.SpreadLoad:
     """Return the drawn part of a distributed load, an even one where its intensity is open."""
-    values = half.ways.values
+    values = half.vectors.values
     given = all(symbols(q) <= values.keys() for q in spread.intensities)
     sizes = [evaluate(q, values) for q in spread.intensities if given] or [1.0]
     return drawn.SpreadLoad(
         name=load.name,
         point=half.point(load.point),
-        along=half.unit(half.ways.pose.lines[load.name]),
+        along=half.unit(half.vectors.pose.lines[load.name]),
         times=float(load.times),
         link=half.link(spread.link),
         tail=half.point(spread.tail),
@@ -216,8 +221,8 @@ def _spread(load: model.Force, spread: model.Spread, half: Half) -> drawn.Spread
 
 def _hub(link: str, half: Half) -> Plane:
     """Return the place of a couple: the link's pivot, or its middle."""
-    mechanism = half.ways.pose.mechanism
-    points = tuple(half.ways.pose.frames[link])
+    mechanism = half.vectors.pose.mechanism
+    points = tuple(half.vectors.pose.frames[link])
     fixed = [p.point for p in mechanism.each(model.Pivot) if p.point in points]
     chosen = [half.at(p) for p in (fixed[:1] or points)]
     total = NOWHERE

@@ -24,7 +24,7 @@ class Half:
     half; ``sense`` is −1 in the twin, where what turned left turns right.
     """
 
-    ways: LinearVectors
+    vectors: LinearVectors
     points: Mapping[str, Plane]
     size: float
     shared: frozenset[str]
@@ -38,7 +38,7 @@ class Half:
 
     def link(self, name: str) -> str:
         """Return the name of a body in this half."""
-        points = self.ways.pose.frames.get(name, {})
+        points = self.vectors.pose.frames.get(name, {})
         return name if self.sense > 0 or self.shared.issuperset(points) else primed(name)
 
     def vector(self, vector: Plane) -> Plane:
@@ -49,7 +49,7 @@ class Half:
 
     def unit(self, angle: Angle) -> Plane:
         """Return the unit vector at an angle of the described half."""
-        return self.vector(self.ways.unit(angle))
+        return self.vector(self.vectors.unit(angle))
 
     def turned(self, angle: float) -> float:
         """Return a direction of the described half, in radians, as it is in this one."""
@@ -61,11 +61,11 @@ class Half:
 
     def guide(self, point: str) -> Plane:
         """Return the unit direction in which a point is guided."""
-        return self.vector(self.ways.guide(point))
+        return self.vector(self.vectors.guide(point))
 
     def length(self, formula: Formula) -> float:
         """Return a radius or a pitch."""
-        return self.ways.pose.radii[formula].evaluate(self.ways.values)
+        return self.vectors.pose.radii[formula].evaluate(self.vectors.values)
 
     def line(self, along: Plane, *points: str) -> Segment:
         """Return a line through the first of some points, to beyond all of them."""
@@ -81,7 +81,7 @@ class Half:
 
     def neighbours(self, point: str) -> Iterator[str]:
         """Yield the points to which bars lead from a point of the description."""
-        mechanism = self.ways.pose.mechanism
+        mechanism = self.vectors.pose.mechanism
         bars = [bar for link in mechanism.links for bar in rods(link, mechanism.geometry)]
         bars += [(t.points[0], t.points[1]) for t in mechanism.telescopes]
         for tail, head in bars:

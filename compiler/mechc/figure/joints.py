@@ -12,7 +12,7 @@ from ..pose.pose import PointContact
 from . import figure as drawn
 from .figure import Part
 from .half import Half
-from .linear_vectors import DrawnVector, Linear, LinearVectors, open_way
+from .linear_vectors import DrawnVector, Linear, LinearVectors, open_vector
 from .wheels import Circle, pitch_point, rope_runs, runs
 
 DOWN, UP, LEFT, RIGHT = Plane(0.0, -1.0), Plane(0.0, 1.0), Plane(-1.0, 0.0), Plane(1.0, 0.0)
@@ -53,67 +53,69 @@ def lost_places(mechanism: model.Mechanism) -> Iterator[str]:
 # --------------------------------------------------------------------- where it is drawn
 
 
-def loose_ways(ways: LinearVectors) -> Iterator[DrawnVector]:
+def loose_vectors(vectors: LinearVectors) -> Iterator[DrawnVector]:
     """Yield where to draw what touches, meshes or slides, where nothing else says it."""
-    mechanism, slides = ways.pose.mechanism, ways.pose.slides
-    for contact in ways.pose.contacts:
+    mechanism, slides = vectors.pose.mechanism, vectors.pose.slides
+    for contact in vectors.pose.contacts:
         if contact.kind == "contact" and not contact.reach:
-            yield open_way(contact.tail, contact.point, _beside(contact, ways))
+            yield open_vector(contact.tail, contact.point, _beside(contact, vectors))
     for joint in mechanism.joints:
-        yield from _loose(joint, ways)
+        yield from _loose(joint, vectors)
     for slide in mechanism.slides:
         first, *others = slide.points
-        line = ways.unit(slides[slide.name])
-        yield from (open_way(first, p, line.times(i)) for i, p in enumerate(others, 1))
+        line = vectors.unit(slides[slide.name])
+        yield from (open_vector(first, p, line.times(i)) for i, p in enumerate(others, 1))
 
 
-def _loose(joint: model.Joint, ways: LinearVectors) -> Iterator[DrawnVector]:
+def _loose(joint: model.Joint, vectors: LinearVectors) -> Iterator[DrawnVector]:
     match joint:
         case model.WheelPair(first=first, second=second):
-            yield DrawnVector(first, second, Linear(_away(joint, ways).times(_apart(joint, ways))))
+            yield DrawnVector(
+                first, second, Linear(_away(joint, vectors).times(_apart(joint, vectors)))
+            )
         case model.Rack(point, pivot):
-            yield DrawnVector(pivot, point, Linear(ways.right(joint)))
+            yield DrawnVector(pivot, point, Linear(vectors.right(joint)))
         case model.Screw():
-            yield _beside_screw(joint, ways)
+            yield _beside_screw(joint, vectors)
         case model.Rope(route):
-            lines = zip(pairwise(route), ways.pose.falls[joint.id], strict=True)
-            yield from (open_way(tail, head, ways.unit(line)) for (tail, head), line in lines)
+            lines = zip(pairwise(route), vectors.pose.falls[joint.id], strict=True)
+            yield from (open_vector(tail, head, vectors.unit(line)) for (tail, head), line in lines)
         case model.Pivot() | model.Slider() | model.Slot() | model.Contact():
             pass
         case _:
             assert_never(joint)
 
 
-def _beside_screw(screw: model.Screw, ways: LinearVectors) -> DrawnVector:
+def _beside_screw(screw: model.Screw, vectors: LinearVectors) -> DrawnVector:
     """Return where to draw a nut: nuts on one screw stand in a row."""
-    mechanism = ways.pose.mechanism
+    mechanism = vectors.pose.mechanism
     link = mechanism.link(screw.link)
     number = mechanism.each(model.Screw).index(screw) + 1
-    return open_way(link.points[0], screw.point, ways.guide(screw.point).times(number))
+    return open_vector(link.points[0], screw.point, vectors.guide(screw.point).times(number))
 
 
-def _beside(contact: PointContact, ways: LinearVectors) -> Plane:
+def _beside(contact: PointContact, vectors: LinearVectors) -> Plane:
     """Return where a pin touches a slide, from its first point: on the side it is pushed to."""
-    frame = ways.pose.frames[contact.body]
+    frame = vectors.pose.frames[contact.body]
     row = 0 if any(frame.values()) else len(frame) - 1
-    middle = ways.unit(ways.pose.slides[contact.body]).times(row / 2)
-    return middle.plus(ways.unit(contact.normal).times(PIN_BESIDE_SLIDE))
+    middle = vectors.unit(vectors.pose.slides[contact.body]).times(row / 2)
+    return middle.plus(vectors.unit(contact.normal).times(PIN_BESIDE_SLIDE))
 
 
-def _away(mesh: model.WheelPair, ways: LinearVectors) -> Plane:
+def _away(mesh: model.WheelPair, vectors: LinearVectors) -> Plane:
     """Return in which direction wheels stand in a row: away from a rack, if there is one."""
-    racks = ways.pose.mechanism.each(model.Rack)
-    driven = [ways.right(r).unit() for r in racks if r.pivot in (mesh.first, mesh.second)]
+    racks = vectors.pose.mechanism.each(model.Rack)
+    driven = [vectors.right(r).unit() for r in racks if r.pivot in (mesh.first, mesh.second)]
     right = (driven[0] if driven else None) or Plane(-1.0, 0.0)
     on_first = any(r.pivot == mesh.first for r in racks) or not driven
     return right.times(-1 if on_first else 1)
 
 
-def _apart(mesh: model.WheelPair, ways: LinearVectors) -> float:
+def _apart(mesh: model.WheelPair, vectors: LinearVectors) -> float:
     """Return how far apart two wheels are drawn: gears touch, a belt needs room."""
-    radii = ways.pose.radii
-    first = radii[mesh.first_radius].evaluate(ways.values)
-    second = radii[mesh.second_radius].evaluate(ways.values)
+    radii = vectors.pose.radii
+    first = radii[mesh.first_radius].evaluate(vectors.values)
+    second = radii[mesh.second_radius].evaluate(vectors.values)
     if mesh.kind == "belt":
         return 2 * (first + second)
     return abs(first - second) if mesh.same else first + second
@@ -149,15 +151,15 @@ def _ground(point: str, half: Half) -> Plane:
     """Return where the ground of a pivot is: down, where no bar of the described half is."""
     there = replace(half, sense=1)
     bars = [there.at(other).minus(there.at(point)).unit() for other in there.neighbours(point)]
-    ways = [unit for unit in bars if unit is not None]
+    vectors = [unit for unit in bars if unit is not None]
     if point in half.shared and half.mirror is not None:
-        ways += [unit.reflected(half.mirror.along) for unit in ways]
-    room = {g: min((_angle(g, unit) for unit in ways), default=math.pi) for g in GROUNDS}
+        vectors += [unit.reflected(half.mirror.along) for unit in vectors]
+    room = {g: min((_angle(g, unit) for unit in vectors), default=math.pi) for g in GROUNDS}
     return max(GROUNDS, key=lambda ground: min(room[ground], APART))
 
 
 def _slider(slider: model.Slider, half: Half) -> drawn.Slider:
-    along = half.unit(half.ways.pose.guides[slider.point])
+    along = half.unit(half.vectors.pose.guides[slider.point])
     if slider.through is None:
         return drawn.Slider(half.point(slider.point), along, half.line(along, slider.point), "")
     line = half.line(along, slider.point, slider.through)
@@ -165,7 +167,7 @@ def _slider(slider: model.Slider, half: Half) -> drawn.Slider:
 
 
 def _slot(slot: model.Slot, half: Half) -> drawn.Slot:
-    along = half.vector(half.ways.face(_touch("slot", slot.point, half)))
+    along = half.vector(half.vectors.face(_touch("slot", slot.point, half)))
     if along.dot(half.at(slot.head).minus(half.at(slot.tail))) < 0:
         along = along.times(-1)
     return drawn.Slot(
@@ -181,13 +183,13 @@ def _slot(slot: model.Slot, half: Half) -> drawn.Slot:
 
 def _contact(contact: model.Contact, half: Half) -> drawn.Contact:
     touch = _touch("contact", contact.point, half)
-    face = half.line(half.vector(half.ways.face(touch)), contact.point)
+    face = half.line(half.vector(half.vectors.face(touch)), contact.point)
     normal = half.unit(touch.normal)
     return drawn.Contact(half.point(contact.point), half.link(contact.link), normal, face)
 
 
 def _touch(kind: str, point: str, half: Half) -> PointContact:
-    contacts = half.ways.pose.contacts
+    contacts = half.vectors.pose.contacts
     return next(t for t in contacts if (t.kind, t.point) == (kind, point))
 
 
@@ -208,7 +210,7 @@ def _wheels(mesh: model.WheelPair, half: Half) -> drawn.Gears | drawn.Belt:
 
 def _rack(rack: model.Rack, half: Half) -> drawn.Rack:
     along = half.guide(rack.point)
-    touch = half.at(rack.pivot).plus(half.vector(half.ways.right(rack)))
+    touch = half.at(rack.pivot).plus(half.vector(half.vectors.right(rack)))
     line = half.through(along, (touch, half.at(rack.point)))
     return drawn.Rack(
         half.point(rack.point),
@@ -239,7 +241,7 @@ def _rope(rope: model.Rope, half: Half) -> drawn.Rope:
 
 def _sliding_ropes(half: Half) -> Iterator[model.RopeFriction]:
     """Yield the friction of ropes around pulleys."""
-    joints = half.ways.pose.mechanism.friction.joints
+    joints = half.vectors.pose.mechanism.friction.joints
     yield from (joint for joint in joints if isinstance(joint, model.RopeFriction))
 
 

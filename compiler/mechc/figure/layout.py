@@ -9,7 +9,7 @@ from ..model.mechanism import Force, Mechanism, Pivot, Slider
 from ..named import NamedTuple
 from ..pose.places import NOWHERE, KnownVector, Plane, between, placed
 from .figure import MirrorLine
-from .joints import loose_ways
+from .joints import loose_vectors
 from .lengths import choose
 from .linear_vectors import LinearVectors, usual
 from .tolerances import SAME_PLACE
@@ -45,46 +45,46 @@ class FigureLayout(NamedTuple):
     gap: float
 
 
-def lay_out(ways: LinearVectors) -> FigureLayout:
+def lay_out(vectors: LinearVectors) -> FigureLayout:
     """Return where every point of the description is; the first pivot is at the origin.
 
     Where pivots have places the origin is that of the description. Lengths that nothing gives
     are such that a point and its twin are in one place, or clearly in two, and that no half
     reaches across the mirror line, where they can be.
     """
-    found = _laid_out(ways, 1.0)
-    if not found.lengths or not (_nearly_meet(ways, found) or _reaches_across(ways, found)):
+    found = _laid_out(vectors, 1.0)
+    if not found.lengths or not (_nearly_meet(vectors, found) or _reaches_across(vectors, found)):
         return found
-    apart = [] if _nearly_meet(ways, found) else [found]
-    apart += _apart(ways, found, STRETCHED)
-    within = (layout for layout in apart if not _reaches_across(ways, layout))
-    return next(chain(within, apart, _apart(ways, found, SHRUNK)), found)
+    apart = [] if _nearly_meet(vectors, found) else [found]
+    apart += _apart(vectors, found, STRETCHED)
+    within = (layout for layout in apart if not _reaches_across(vectors, layout))
+    return next(chain(within, apart, _apart(vectors, found, SHRUNK)), found)
 
 
 def _apart(
-    ways: LinearVectors, found: FigureLayout, factors: Iterable[float]
+    vectors: LinearVectors, found: FigureLayout, factors: Iterable[float]
 ) -> Iterator[FigureLayout]:
     """Yield layouts with other lengths whose twins are apart, and whose loops close as well."""
     for factor in factors:
-        other = _laid_out(ways, factor)
-        if not _nearly_meet(ways, other) and other.gap <= max(found.gap, SAME_PLACE):
+        other = _laid_out(vectors, factor)
+        if not _nearly_meet(vectors, other) and other.gap <= max(found.gap, SAME_PLACE):
             yield other
 
 
-def _nearly_meet(ways: LinearVectors, layout: FigureLayout) -> bool:
+def _nearly_meet(vectors: LinearVectors, layout: FigureLayout) -> bool:
     """Return whether some point is nearly where its twin is, but not quite."""
-    return any(SAME_PLACE < abs(2 * off) < NEARLY for off in _off_the_mirror(ways, layout))
+    return any(SAME_PLACE < abs(2 * off) < NEARLY for off in _off_the_mirror(vectors, layout))
 
 
-def _reaches_across(ways: LinearVectors, layout: FigureLayout) -> bool:
+def _reaches_across(vectors: LinearVectors, layout: FigureLayout) -> bool:
     """Return whether the described half has points on both sides of the mirror line."""
-    off = [at for at in _off_the_mirror(ways, layout) if abs(at) > SAME_PLACE]
+    off = [at for at in _off_the_mirror(vectors, layout) if abs(at) > SAME_PLACE]
     return any(at > 0 for at in off) and any(at < 0 for at in off)
 
 
-def _off_the_mirror(ways: LinearVectors, layout: FigureLayout) -> list[float]:
+def _off_the_mirror(vectors: LinearVectors, layout: FigureLayout) -> list[float]:
     """Return how far the points of one half are off the mirror line, in usual lengths."""
-    mirror, symmetry = layout.mirror, ways.pose.mechanism.mirror
+    mirror, symmetry = layout.mirror, vectors.pose.mechanism.mirror
     if mirror is None or symmetry is None:
         return []
     across = mirror.along.turned()
@@ -92,18 +92,20 @@ def _off_the_mirror(ways: LinearVectors, layout: FigureLayout) -> list[float]:
     return [across.dot(at.minus(mirror.at)) / layout.size for at in own]
 
 
-def _laid_out(ways: LinearVectors, factor: float) -> FigureLayout:
+def _laid_out(vectors: LinearVectors, factor: float) -> FigureLayout:
     """Return the layout with open lengths that are this many times a usual one, if they can be."""
-    pose, firm = ways.pose, list(ways.firm())
+    pose, firm = vectors.pose, list(vectors.firm())
     size = usual(firm)
     lengths = choose(firm, pose.placeholders, factor * size)
     names = [*dict.fromkeys(points_of(pose.mechanism))]
     edges = [KnownVector(w.tail, w.head, w.vector.at(lengths)) for w in firm]
-    places = placed(_connected([*(KnownVector(n, n, NOWHERE) for n in names), *edges], ways, size))
+    places = placed(
+        _connected([*(KnownVector(n, n, NOWHERE) for n in names), *edges], vectors, size)
+    )
     groups: dict[str, FigurePoints] = {}
     for name, place in places.items():
         groups.setdefault(place.start, {})[name] = place.at
-    table = _Table(ways.unit(pose.axis) if pose.axis else None, size)
+    table = _Table(vectors.unit(pose.axis) if pose.axis else None, size)
     sharing = pose.mechanism.mirror.sharing if pose.mechanism.mirror else ()
     points, mirror = table.spread(list(groups.values()), sharing)
     found = {name: lengths[name] for name in pose.placeholders}
@@ -127,9 +129,9 @@ def points_of(mechanism: Mechanism) -> Iterable[str]:
     yield from (load.point for load in mechanism.loads if isinstance(load, Force))
 
 
-def _connected(edges: list[KnownVector], ways: LinearVectors, size: float) -> list[KnownVector]:
+def _connected(edges: list[KnownVector], vectors: LinearVectors, size: float) -> list[KnownVector]:
     """Return the edges with loose ones, as long as they connect what is not connected yet."""
-    for tail, head, vector in loose_ways(ways):
+    for tail, head, vector in loose_vectors(vectors):
         if between(placed(edges), tail, head) is None:
             edges.append(KnownVector(tail, head, vector.at(dict.fromkeys(vector.parts, size))))
     return edges

@@ -31,13 +31,13 @@ class LengthEquation(NamedTuple):
         return self.value - sum(f * lengths[name] for name, f in self.factors.items())
 
 
-def choose(ways: Sequence[DrawnVector], rods: Iterable[str], usual: float) -> OpenLengths:
+def choose(vectors: Sequence[DrawnVector], rods: Iterable[str], usual: float) -> OpenLengths:
     """Return all open lengths, in metres, near ``usual``, with which the vectors close.
 
     Those of ``rods`` come out positive if they can. A vector along a guide may have either sign.
     """
-    rows = _independent(_equations(ways))
-    names = dict.fromkeys(name for way in ways for name in way.vector.parts)
+    rows = _independent(_equations(vectors))
+    names = dict.fromkeys(name for one in vectors for name in one.vector.parts)
     lengths = {**dict.fromkeys(names, usual), **dict.fromkeys(rods, usual)}
     lengths = _closed(lengths, rows)
     for _ in range(ROUNDS):
@@ -48,19 +48,19 @@ def choose(ways: Sequence[DrawnVector], rods: Iterable[str], usual: float) -> Op
     return lengths
 
 
-def _equations(ways: Sequence[DrawnVector]) -> Iterator[LengthEquation]:
+def _equations(vectors: Sequence[DrawnVector]) -> Iterator[LengthEquation]:
     """Yield the equations that close each loop, along x and y."""
-    at = _laid_out(ways)
-    for tail, head, vector in ways:
+    at = _laid_out(vectors)
+    for tail, head, vector in vectors:
         gap = at[tail].plus(vector).plus(at[head], -1)
         yield LengthEquation({name: part.x for name, part in gap.parts.items()}, -gap.base.x)
         yield LengthEquation({name: part.y for name, part in gap.parts.items()}, -gap.base.y)
 
 
-def _laid_out(ways: Sequence[DrawnVector]) -> dict[str, Linear]:
-    """Return where every point is, along the first way that leads there."""
+def _laid_out(vectors: Sequence[DrawnVector]) -> dict[str, Linear]:
+    """Return where every point is, along the first vectors that lead there."""
     neighbours: dict[str, list[tuple[str, Linear]]] = {}
-    for tail, head, vector in ways:
+    for tail, head, vector in vectors:
         neighbours.setdefault(tail, []).append((head, vector))
         neighbours.setdefault(head, []).append((tail, Linear().plus(vector, -1)))
     at: dict[str, Linear] = {}

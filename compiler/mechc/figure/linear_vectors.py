@@ -48,14 +48,14 @@ class DrawnVector(NamedTuple):
     vector: Linear
 
 
-def open_way(tail: str, head: str, line: Plane) -> DrawnVector:
-    """Return a way of open length along a line, forward or back."""
+def open_vector(tail: str, head: str, line: Plane) -> DrawnVector:
+    """Return a vector of open length along a line, forward or back."""
     return DrawnVector(tail, head, Linear(NOWHERE, {f"{tail} to {head}": line}))
 
 
 @frozen
 class LinearVectors:
-    """The ways of a pose, at values of all its symbols but the open lengths."""
+    """The vectors of a pose, at values of all its symbols but the open lengths."""
 
     pose: Pose
     values: Mapping[str, float]
@@ -70,7 +70,7 @@ class LinearVectors:
         yield from self._touching()
         for slider in self.pose.mechanism.each(Slider):
             if slider.through:
-                yield open_way(slider.through, slider.point, self.guide(slider.point))
+                yield open_vector(slider.through, slider.point, self.guide(slider.point))
         yield from self._on_the_mirror()
 
     def unit(self, angle: Angle) -> Plane:
@@ -97,13 +97,13 @@ class LinearVectors:
             if contact.reach:
                 yield self._way(contact.tail, contact.point, contact.reach)
             elif contact.kind == "slot":
-                yield open_way(contact.tail, contact.point, self.face(contact).times(HALFWAY))
+                yield open_vector(contact.tail, contact.point, self.face(contact).times(HALFWAY))
 
     def _on_the_mirror(self) -> Iterator[DrawnVector]:
         mirror, axis = self.pose.mechanism.mirror, self.pose.axis
         if mirror is not None and axis is not None:
             first, others = mirror.sharing[:1], mirror.sharing[1:]
-            yield from (open_way(first[0], point, self.unit(axis)) for point in others)
+            yield from (open_vector(first[0], point, self.unit(axis)) for point in others)
 
     def _way(self, tail: str, head: str, vector: Vector) -> DrawnVector:
         base, parts = NOWHERE, dict[str, Plane]()
@@ -118,8 +118,8 @@ class LinearVectors:
         return DrawnVector(tail, head, Linear(base, parts))
 
 
-def usual(ways: list[DrawnVector]) -> float:
+def usual(vectors: list[DrawnVector]) -> float:
     """Return the length of a usual vector: the mean of those given, 1 m where none is."""
-    sizes = [math.hypot(*way.vector.base) for way in ways]
+    sizes = [math.hypot(*one.vector.base) for one in vectors]
     known = [size for size in sizes if size > 0]
     return sum(known) / len(known) if known else 1.0

@@ -1,7 +1,7 @@
 """Zeros and turning points of a function of the drive: sampled, bracketed, refined.
 
 A sign change is narrowed down to the last bit. A zero that is only touched is a minimum of the
-absolute value that is nil against the size of the function.
+absolute value that is next to nothing against the size of the function.
 """
 
 import math

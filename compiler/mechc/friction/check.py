@@ -10,7 +10,7 @@ from ..formula.walk import symbols
 from ..model.mechanism import Efficiency, LoadRatio, Mechanism, Require, ResultTarget, WithFriction
 from ..model.parts.targets import SIGNS
 from ..model.result import Definition, FrictionResult, Result
-from ..model.values import Values, completed, holds, standing
+from ..model.values import Values, completed, holds, valid_form
 from ..power.check import undefined
 from ..power.numbers import default_values
 from .solution import FrictionSolution, SolvedWithFriction
@@ -88,7 +88,7 @@ def _meanings(lists: Sequence[Sequence[Definition]]) -> Iterator[str]:
 
 def _printed(result: FrictionResult, values: Values) -> Iterator[str]:
     """Yield a printed case that is another number than the result, or not that of the pose."""
-    case, found = result.case, standing(result, values)
+    case, found = result.case, valid_form(result, values)
     if case is None or found is None:
         return
     there, printed = completed(values, found.where), completed(values, case.where)

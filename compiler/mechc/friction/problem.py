@@ -27,7 +27,7 @@ from ..named import NamedTuple
 from ..power.balance import Balance, PowerEquations
 from ..power.definitions import bound_sums
 from ..power.loads import given_size
-from ..power.numbers import is_nil_everywhere
+from ..power.numbers import is_zero_everywhere
 from ..power.reactions import Reactions
 from . import closed_forces
 from .assumptions import assumptions, without_slip
@@ -190,7 +190,7 @@ class FrictionProblem:
     def is_idle(self, driving: Formula, where: Iterable[Definition]) -> bool:
         """Return whether what drives is zero without friction, once for all forces at joints."""
         if driving not in self._idle:
-            self._idle[driving] = is_nil_everywhere(driving, where, self.plan.graph.pose)
+            self._idle[driving] = is_zero_everywhere(driving, where, self.plan.graph.pose)
         return self._idle[driving]
 
     def drive(self, sense: Sense) -> "NamedDrive | None":

@@ -23,7 +23,7 @@ from ..model.result import Definition, DrivingLoad, FrictionResult, Result, Sign
 from ..power.definitions import bound_sums, intermediates, open_lengths
 from ..power.joint_forces import has_direction
 from ..power.magnitudes import magnitude
-from ..power.numbers import is_nil, value_of
+from ..power.numbers import is_zero, value_of
 from ..power.reactions import Transmitted
 from . import closed_forces, joint_forces, linear
 from .assumptions import asks_for_loads
@@ -172,7 +172,7 @@ def _solved(
 ) -> SolvedWithFriction:
     steps = named.case.steps if named.case else named.steps
     found = result_of(problem, find, ideal, loaded, named)
-    result = replace(found, driven=driven, is_idle=is_nil(ideal, problem.plan.graph.pose))
+    result = replace(found, driven=driven, is_idle=is_zero(ideal, problem.plan.graph.pose))
     return SolvedWithFriction(result, steps=steps)
 
 
@@ -184,7 +184,7 @@ def efficiency(
     None as well where a load has nothing but friction to overcome, as in a brake: no power is
     meant to arrive, so there is no part of it.
     """
-    if is_nil(ideal, problem.plan.graph.pose):
+    if is_zero(ideal, problem.plan.graph.pose):
         return None
     whole = load_with_friction(problem, find, ideal, asked.of, asked.sense, "exact")
     if whole is None:

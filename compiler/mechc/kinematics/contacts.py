@@ -49,7 +49,7 @@ def relations(pose: Pose, velocities: VelocityForms, spins: Spins) -> Iterator[R
 def slipping(graph: Graph, pose: Pose, joint: Joint) -> LinearForm:
     """Return the speed at which rims, a rack and its wheel, or nut and thread, part.
 
-    A rope parts as all of its falls grow. It is what their relation demands to be nil.
+    A rope parts as all of its falls grow. It is what their relation demands to be zero.
     """
     relation = _relation(joint, pose, graph.velocities, lambda link: spin(graph, link))
     assert relation is not None, "no other joint meshes"

@@ -284,7 +284,7 @@ def holds(condition: Require, values: Values) -> bool:
     return compare(left, condition.operator, right)
 
 
-def standing(result: Result, values: Values) -> Result | None:
+def valid_form(result: Result, values: Values) -> Result | None:
     """Return the form of a result that has a value: itself, or the one for elsewhere.
 
     None where a condition of either is broken. What has no value stands. Definitions that
@@ -302,7 +302,7 @@ class Valued(NamedTuple):
 
 
 def valued(result: Result, values: Values) -> Valued | None:
-    """Return the form of :func:`standing` with its value, which is found on the way."""
+    """Return the form of :func:`valid_form` with its value, which is found on the way."""
     known = completed(values, (d for d in result.where if d.name not in values))
     sound = all(holds(guard, known) for guard in result.guards)
     is_known = symbols(result.formula) <= known.keys()

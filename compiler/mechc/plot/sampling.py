@@ -163,7 +163,7 @@ def _turning_points(xs: Array, ys: Array, breaks: Array) -> tuple[NDArray[np.int
 
 
 def _refined(function: ArrayFunction, low: Array, high: Array, signs: Array) -> tuple[Array, Array]:
-    """Return extrema and their values: narrowed down, then where the slope is nil if better."""
+    """Return extrema and their values: narrowed down, then where the slope is zero if better."""
     rough = lowest(lambda x: np.repeat(signs, x.size // signs.size) * function(x), low, high)
     fine = _stationary(function, rough, 0.02 * (high - low))
     y_rough, y_fine = function(rough), function(fine)

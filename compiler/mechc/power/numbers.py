@@ -192,17 +192,17 @@ OTHER_POWERS = (1.013, 0.971)
 """By what parameters are changed to see whether a result stays zero, each by another power."""
 
 
-def is_nil(result: Result, pose: Pose) -> bool:
+def is_zero(result: Result, pose: Pose) -> bool:
     """Return whether a form of loads is zero by default and stays so with other parameters.
 
     The formula of a brake's moment may be 0, or a sum of coordinates that is no other number.
     """
     if result.formula != ZERO and (result.default or not isinstance(result.target, LoadForm)):
         return False
-    return is_nil_everywhere(result.formula, result.where, pose)
+    return is_zero_everywhere(result.formula, result.where, pose)
 
 
-def is_nil_everywhere(formula: Formula, where: Iterable[tuple[str, Formula]], pose: Pose) -> bool:
+def is_zero_everywhere(formula: Formula, where: Iterable[tuple[str, Formula]], pose: Pose) -> bool:
     """Return whether a formula is zero by default and stays so with other parameters and loads."""
     if formula == ZERO:
         return True
@@ -283,7 +283,7 @@ def _are_at_rest(balance: Balance, values: Mapping[str, float]) -> bool:
 
 
 def _unrounded(value: Product, values: Mapping[str, float]) -> float:
-    """Return the value of a product, 0 where a factor is nil: rounding would have a rank."""
+    """Return the value of a product, 0 where a factor is zero: rounding would have a rank."""
     return 0.0 if _vanishing(value, values, 1) is not None else value.evaluate(values)
 
 
@@ -368,7 +368,7 @@ class Arrows:
 
 
 def _vanishing(value: Product, values: Mapping[str, float], side: int) -> Formula | None:
-    """Return the factor above (1) or below (-1) the line that is nil against its terms."""
+    """Return the factor above (1) or below (-1) the line that is zero against its terms."""
     try:
         for factor in (f for f, exponent in value.factors.items() if exponent * side > 0):
             if abs(factor.evaluate(values)) < VANISHED * _size(factor, values):

@@ -10,7 +10,7 @@ from ..formula.rewriting import Quarter
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan
-from ..kinematics.standing import StandingPlan, in_ratios, standing
+from ..kinematics.readable import ReadablePlan, in_ratios, readable_plan
 from ..model.mechanism import Mechanism
 from ..pose.given_angles import given_lines
 from .balance import PowerEquations, equations_of
@@ -37,7 +37,7 @@ class RatioReader:
         """Return the plan off which speeds are read."""
         if self._rests_on_ratios:
             return self._ratios
-        return self._standing if self._is_closed and not self._plan.bindings else self._plan
+        return self._readable if self._is_closed and not self._plan.bindings else self._plan
 
     @cached_property
     def quarter(self) -> Quarter | None:
@@ -55,7 +55,7 @@ class RatioReader:
             return value
         if not self._is_closed and count_operations(value.formula()) <= UNREAD_OPERATIONS:
             return value
-        short = readable(value, [solved(equations_of(terms(self._standing)))])
+        short = readable(value, [solved(equations_of(terms(self._readable)))])
         if self._plan.mobility > 1 or count_operations(short.formula()) <= GLANCE_OPERATIONS:
             return short
         nested = solved(equations_of(terms(self._ratios)))
@@ -67,11 +67,11 @@ class RatioReader:
         return nested
 
     @cached_property
-    def _standing(self) -> StandingPlan:
-        return standing(self._plan)
+    def _readable(self) -> ReadablePlan:
+        return readable_plan(self._plan)
 
     @cached_property
-    def _ratios(self) -> StandingPlan:
+    def _ratios(self) -> ReadablePlan:
         pose = self._plan.graph.pose
         taken = frozenset((*_names(pose.mechanism), *(d.name for d in pose.definitions)))
         return in_ratios(self._plan, default_values(self._plan), taken)

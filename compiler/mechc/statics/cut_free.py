@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ..frozen import frozen, replace
-from .acts import Acts
+from .actions import Actions
 from .assembly import AssembledBodies
 from .diagram import Acting, FreeBody, Plane
 from .free_bodies import EquilibriumSystem
@@ -52,15 +52,15 @@ def cut_free(solution: StaticsSolution, places: PointPositions) -> tuple[FreeBod
     Forces do not depend on where slides carry their pins, but the couples of their guides do.
     These are for the ``places`` in which the points are drawn.
     """
-    acts = Acts(solution.assembly)
+    actions = Actions(solution.assembly)
     for column, unknown in enumerate(solution.system.unknowns):
-        acts.unknown(unknown, None if column in solution.open else solution.found[column])
+        actions.unknown(unknown, None if column in solution.open else solution.found[column])
     for name, size in solution.sizes.items():
-        acts.load(name, size, solution.frictions.get(name))
-    acts.balance_couples()
-    acts.forget(solution.bearings)
-    bodies = [_shared(body, solution.common) for body in _Drawn(acts).bodies()]
-    frames = acts.members.frames
+        actions.load(name, size, solution.frictions.get(name))
+    actions.balance_couples()
+    actions.forget(solution.bearings)
+    bodies = [_shared(body, solution.common) for body in _Drawn(actions).bodies()]
+    frames = actions.members.frames
     for rod in (body for body in bodies if body.name in frames and frames[body.name].arc):
         bodies = list(_slotted(rod, bodies))
     return tuple(_rounded([_held(body, places) for body in bodies]))
@@ -161,47 +161,51 @@ def _reach(acting: Acting, centre: Plane, places: PointPositions) -> float:
 class _Drawn:
     """The free bodies as people draw them: pins on which little acts are merged into links."""
 
-    def __init__(self, acts: Acts) -> None:
-        self.acts = acts
-        self.merged = {p: by for p in acts.on_pins if (by := self._carrier(p))}
+    def __init__(self, actions: Actions) -> None:
+        self.actions = actions
+        self.merged = {p: by for p in actions.on_pins if (by := self._carrier(p))}
 
     def bodies(self) -> Iterator[FreeBody]:
         """Yield links, slides, then pins."""
-        twins = self.acts.assembly.twins
-        for name in self.acts.members.frames:
-            direct = (self._named(a) for a in self.acts.on_bodies[name])
-            at_pins = (a for p in self.acts.members.frames[name].points for a in self._at(p, name))
+        twins = self.actions.assembly.twins
+        for name in self.actions.members.frames:
+            direct = (self._named(a) for a in self.actions.on_bodies[name])
+            at_pins = (
+                a for p in self.actions.members.frames[name].points for a in self._at(p, name)
+            )
             forces = (*at_pins, *direct)
-            slides = name in self.acts.members.slides
+            slides = name in self.actions.members.slides
             yield FreeBody(name, "slide" if slides else "link", forces, name in twins)
-        for point, acts in self.acts.on_pins.items():
-            free = {kind for kind, _ in acts} != {"ground"}
+        for point, actions in self.actions.on_pins.items():
+            free = {kind for kind, _ in actions} != {"ground"}
             if free and point not in self.merged and not self._is_plain(point):
-                forces = tuple(acts.values())
-                guided = point in self.acts.members.guides
+                forces = tuple(actions.values())
+                guided = point in self.actions.members.guides
                 yield FreeBody(point, "slider" if guided else "pin", forces, point in twins)
 
     def _carriers(self, point: str) -> list[str]:
-        return [by for kind, by in self.acts.on_pins[point] if kind == "pin"]
+        return [by for kind, by in self.actions.on_pins[point] if kind == "pin"]
 
     def _carrier(self, point: str) -> str:
         """Return the only link that carries a pin, empty for one that is a body of its own."""
         carriers = self._carriers(point)
-        return carriers[0] if len(carriers) == 1 and point not in self.acts.members.guides else ""
+        return (
+            carriers[0] if len(carriers) == 1 and point not in self.actions.members.guides else ""
+        )
 
     def _is_plain(self, point: str) -> bool:
         """Return whether a pin joins two links and nothing else acts on it."""
-        return len(self.acts.on_pins[point]) == len(self._carriers(point)) == 2
+        return len(self.actions.on_pins[point]) == len(self._carriers(point)) == 2
 
     def _at(self, point: str, body: str) -> Iterator[Acting]:
         """Yield the forces on a body at a pin."""
-        acts = self.acts.on_pins.get(point, {})
+        actions = self.actions.on_pins.get(point, {})
         if point in self.merged:
-            yield from (self._named(a) for (kind, _), a in acts.items() if kind != "pin")
-        elif ("pin", body) in acts:
+            yield from (self._named(a) for (kind, _), a in actions.items() if kind != "pin")
+        elif ("pin", body) in actions:
             carriers = self._carriers(point)
             other = next((c for c in carriers if c != body), "")
-            yield _back(acts["pin", body], other if self._is_plain(point) else point)
+            yield _back(actions["pin", body], other if self._is_plain(point) else point)
 
     def _named(self, acting: Acting) -> Acting:
         """Return an action by a pin as one by the link that the pin is merged into."""

@@ -111,7 +111,7 @@ class Extent:
 
     It is found by sampling and refined. ``least`` and ``greatest`` are None where it is infinite
     or undetermined somewhere; they are shown in the unit ``scale``. Zeros and poles are
-    ``looked`` for, or are not; on the parts ``nil`` the result is zero throughout. One that
+    ``looked`` for, or are not; on ``zero_intervals`` the result is zero throughout. One that
     ``is_monotone`` is proved to rise or fall, so that it is least and greatest at the ends.
     Of each zero, and of each pole, there is the factor that ``vanishes`` there, by its place, where
     only one of those does under which the result is zero, or infinite.
@@ -126,14 +126,14 @@ class Extent:
     greatest: Extreme | None
     scale: str
     looked: bool
-    nil: tuple[Range, ...] = ()
+    zero_intervals: tuple[Range, ...] = ()
     is_monotone: bool = False
     vanishes: Mapping[float, Formula] = MappingProxyType({})
 
     @property
-    def is_nil(self) -> bool:
+    def is_zero(self) -> bool:
         """Return whether the result is zero throughout the range."""
-        return self.nil == (self.range,)
+        return self.zero_intervals == (self.range,)
 
 
 class NumericSlope(NamedTuple):

@@ -158,14 +158,14 @@ def across_the_line(factor: Factor, value: Product) -> list[Trig]:
     ]
 
 
-def is_nil(factor: Factor, root: AngleRoot, near: Mapping[str, float]) -> bool:
+def is_zero(factor: Factor, root: AngleRoot, near: Mapping[str, float]) -> bool:
     """Return whether a factor is zero at a root for the values given, against its usual size."""
     if not {root.name, *root.value.names} <= near.keys():
         return False
-    return is_nil_at(factor, root.name, {**near, root.name: root.value.evaluate(near)})
+    return is_zero_at(factor, root.name, {**near, root.name: root.value.evaluate(near)})
 
 
-def is_nil_at(factor: Factor, name: str, there: Mapping[str, float]) -> bool:
+def is_zero_at(factor: Factor, name: str, there: Mapping[str, float]) -> bool:
     """Return whether a factor is zero at some values, against its size at another one of a name."""
     if not isinstance(factor, Sum | Trig) or not symbols(factor.formula()) <= there.keys():
         return False

@@ -36,8 +36,8 @@ from ..model.values import (
     dependent,
     following,
     independent,
-    standing,
     user_defined,
+    valid_form,
 )
 from ..named import NamedTuple
 from ..units import in_unit, si_unit
@@ -162,7 +162,7 @@ def _in_code(result: Result, pose: Values, mechanism: Mechanism) -> Rounded:
         r for r in mechanism.requires if r.concerns({result.name, *(d.name for d in result.where)})
     )
     sound = allowed(replace(mechanism, requires=requires), known)
-    form = standing(result, pose) if sound else None
+    form = valid_form(result, pose) if sound else None
     if form is None:
         return Rounded(math.nan, 0.0)
     return Rounding(completed(pose, form.where)).of(form.formula)

@@ -211,9 +211,9 @@ def _touched(moving: Moving, a: float, b: float) -> Iterator[float]:
     """Yield where a ratio touches zero, or infinity, near a narrow cell."""
     low, high = 2 * a - b, 2 * b - a
     sizes = [abs(moving.without(x)) for x in (low, high)]
-    nil = lowest(lambda x: abs(moving.without(x)), low, high)
-    if abs(moving.without(nil)) <= TOUCHED * max(sizes):
-        yield nil
+    zero = lowest(lambda x: abs(moving.without(x)), low, high)
+    if abs(moving.without(zero)) <= TOUCHED * max(sizes):
+        yield zero
     pole = lowest(lambda x: -abs(moving.without(x)), low, high)
     if not abs(moving.without(pole)) * TOUCHED < min(sizes):
         yield pole

@@ -10,7 +10,7 @@ from ..formula.tree import Definitions, Formula, is_call
 from ..formula.walk import symbols
 from ..friction import at_rest
 from ..model.result import Result
-from ..model.values import Looked, Values, of_sound_form, standing
+from ..model.values import Looked, Values, of_sound_form, valid_form
 from .forms import together
 from .pose_sweep import Functions, PoseSweep, keeping
 from .tolerances import SAME_SIDES, SIDE
@@ -129,7 +129,7 @@ class Sweep(PoseSweep):
 
     def form_at(self, result: Result, x: float) -> Result:
         """Return the form of a result that has a value: the one for elsewhere, perhaps."""
-        return standing(result, self.values(x)) or result if result.elsewhere else result
+        return valid_form(result, self.values(x)) or result if result.elsewhere else result
 
     def varying(self, result: Result) -> set[str]:
         """Return the parameter and the names that vary with it, those of a result among them."""

@@ -20,9 +20,9 @@ from .candidate_roots import (
     across_the_line,
     dividing_factors,
     has_order,
-    is_nil,
-    is_nil_at,
     is_refuted,
+    is_zero,
+    is_zero_at,
     may_vanish,
     roots_across,
 )
@@ -146,7 +146,7 @@ def _without_shared(
         for f in (sums if shared else left)
         for root in shared
     )
-    by_chance = any(is_nil(f, root, near) for f in sums for root in across)
+    by_chance = any(is_zero(f, root, near) for f in sums for root in across)
     return left if are_split_off and not by_chance else []
 
 
@@ -210,18 +210,18 @@ def _but_by_chance(root: AngleRoot, of: RatioSide) -> Iterator[Vanishing]:
     """
     known = order(of.value, root.name, root.value)
     across = [f for f, e in of.value.factors.items() if e * of.side < 0]
-    nil = tuple(f.formula() for f in across if is_nil(f, root, of.near))
-    if nil and known is not None and known * of.side > 0:
+    zero = tuple(f.formula() for f in across if is_zero(f, root, of.near))
+    if zero and known is not None and known * of.side > 0:
         why = of.cause(root.factor, (root,))
-        yield Vanishing(root.factor.formula(), None, why, of.is_outside(root.factor), nil)
+        yield Vanishing(root.factor.formula(), None, why, of.is_outside(root.factor), zero)
 
 
 def _vanishing(trig: Trig, why: Cause, of: RatioSide) -> Vanishing:
     """Return a condition solved for what moves; not for, nor by, what loops find."""
     found = trig.angle.names & of.defined.keys()
     at = None if found else vanishing_values(trig, of.near, of.box, of.moving_first)
-    nil = [*_at_folds(trig, of), *(_nil_across(at, of) if at else ())]
-    but = tuple(dict.fromkeys(f.formula() for f in nil))
+    zero = [*_at_folds(trig, of), *(_zero_across(at, of) if at else ())]
+    but = tuple(dict.fromkeys(f.formula() for f in zero))
     outside, absent = of.is_outside(trig), of.is_absent(trig)
     limit = Vanishing(trig.formula(), None, why, outside, but, absent=absent)
     if at is None:
@@ -230,8 +230,8 @@ def _vanishing(trig: Trig, why: Cause, of: RatioSide) -> Vanishing:
     return limit._replace(at=(at.name, at.nearest), within=at.within, period=period)
 
 
-def _nil_across(at: Roots, of: RatioSide) -> Iterator[Factor]:
-    """Yield what is nil across the line at a place that is stated, at the values given.
+def _zero_across(at: Roots, of: RatioSide) -> Iterator[Factor]:
+    """Yield what is zero across the line at a place that is stated, at the values given.
 
     Along another symbol, of which the factor was proved to vanish, it need not be: with a = 60°,
     sin(a + b - 30°)/cos(a - b) vanishes along a where b is 120°, and is finite at b = 150°.
@@ -240,7 +240,7 @@ def _nil_across(at: Roots, of: RatioSide) -> Iterator[Factor]:
     for place in at.within or (at.nearest,):
         if symbols(place) <= of.near.keys():
             there = {**of.near, at.name: evaluate(place, of.near)}
-            yield from (f for f in across if is_nil_at(f, at.name, there))
+            yield from (f for f in across if is_zero_at(f, at.name, there))
 
 
 def _at_folds(trig: Trig, of: RatioSide) -> list[Trig]:

@@ -75,10 +75,12 @@ def _singular(
     """Yield where it is zero, where infinite, or that it is neither, unless that ``is_stated``."""
     if extent.looked and not extent.zeros and not extent.poles and not is_stated:
         yield locale.extents["neither"].format(result=symbol)
-    if extent.is_nil:
+    if extent.is_zero:
         yield locale.extents["0 all over"].format(result=symbol)
-    elif extent.nil:
-        spans = enumeration([span(part, extent, locale, spell) for part in extent.nil], locale)
+    elif extent.zero_intervals:
+        spans = enumeration(
+            [span(part, extent, locale, spell) for part in extent.zero_intervals], locale
+        )
         yield locale.extents["0 throughout"].format(result=symbol, spans=spans)
     for kind, found in (("0", extent.zeros), ("infinite", extent.poles)):
         if 0 < len(found) <= MOST_LISTED_ZEROS:

@@ -20,7 +20,7 @@ def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Ite
 
     Of one that is zero wherever it was looked at the conditions are of no meaning.
     """
-    if any(extent.is_nil for extent in result.extents):
+    if any(extent.is_zero for extent in result.extents):
         return
     for template, kind in ((locale.zero, "zeros"), (locale.pole, "poles")):
         looked, passed = _looked(result), passed_by(result, kind)

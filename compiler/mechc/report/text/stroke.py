@@ -152,7 +152,7 @@ def said(shown: WrittenStroke) -> Iterator[str]:
         yield shown.says("nowhere")
     yield from (_without(name, loads, shown) for name, loads in stroke.without)
     yield from (_branch(b, shown) for b in stroke.branches)
-    yield from (_zero_part(part, shown) for part in stroke.nil)
+    yield from (_zero_part(part, shown) for part in stroke.zero_intervals)
     yield from (_singular(s, shown) for s in stroke.singular)
     yield from (_extremum(e, shown) for e in stroke.extrema)
     yield from (_standstill(s, shown) for s in stroke.standstills)

@@ -23,7 +23,7 @@ from ..tolerances import (
 from ..variables import spans
 from .jumps import has_turns, is_on_the_stroke
 from .removable import RemovablePlaces, of_result
-from .rounded import is_nil, is_turning, rounded
+from .rounded import is_turning, is_zero, rounded
 from .run import SAMPLES, StrokeRun
 from .singular import order_of, roots_at
 from .stroke import ChangePoint, Extremum, Singular, StrokeInterval
@@ -45,7 +45,7 @@ def extrema_along(
     found = [
         one
         for stretch, result in product(stretches, run.results)
-        if not is_nil(result, run.along, stretch)
+        if not is_zero(result, run.along, stretch)
         for one in _on_stretch(run, result, stretch, singular, branches, turns)
     ]
     return tuple(sorted(found, key=lambda e: e.drive))

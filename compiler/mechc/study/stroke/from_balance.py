@@ -72,7 +72,7 @@ def _stroke(run: StrokeRun, paths: ShownQuantities, points: int, watch: Watch) -
     stretches = with_reached(tuple(found), default, EXCLUDED, is_angle)
     branches = sorted((*run.branches, *crossings), key=lambda b: b.drive)
     drives = list(spaced(run.low, run.high, points - 1))
-    nil = tuple(zero_parts(run, stretches, branches))
+    zero_intervals = tuple(zero_parts(run, stretches, branches))
     turns = turns_along(run, stretches)
     found_singular = singular_along(run, stretches, branches, turns)
     extrema = extrema_along(run, stretches, found_singular, branches, turns)
@@ -88,15 +88,17 @@ def _stroke(run: StrokeRun, paths: ShownQuantities, points: int, watch: Watch) -
             r for _, r in zip(watch(drives), rows(run, drives, filled, stretches), strict=True)
         ),
         stretches=stretches,
-        singular=tuple(one for one in singular if is_apart(one, nil, run.range)),
+        singular=tuple(one for one in singular if is_apart(one, zero_intervals, run.range)),
         branches=tuple(branches),
-        extrema=tuple(one for one in extrema if is_apart(one, nil, run.range)),
+        extrema=tuple(one for one in extrema if is_apart(one, zero_intervals, run.range)),
         standstills=tuple(_standstills(run.results, drive.name)),
         efficiency_ranges=tuple(_efficiency_ranges(run.results, drive.name)),
         defaults=along.defaults,
         without=run.open,
         looked=_looked(run, stretches) if run.results else 0,
-        nil=tuple(part for part in nil if part.result in {r.name for r in run.quotients}),
+        zero_intervals=tuple(
+            part for part in zero_intervals if part.result in {r.name for r in run.quotients}
+        ),
     )
 
 

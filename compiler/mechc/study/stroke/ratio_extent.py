@@ -17,7 +17,7 @@ from ..sweep import Sweep
 from ..tolerances import SAME_ZERO
 from ..variables import scale_of
 from .from_balance import run
-from .rounded import is_nil
+from .rounded import is_zero
 from .run import has_sign
 from .stroke import Stroke, StrokeInterval, ZeroInterval
 
@@ -59,8 +59,11 @@ def _extents(
             continue
         if not _is_ratio(result):
             yield from _zeros_of_force(result, stroke, part, along)
-        elif is_nil(result, along, part):
-            yield result.name, _bare(result, stroke, part, along, nil=((part.low, part.high),))
+        elif is_zero(result, along, part):
+            yield (
+                result.name,
+                _bare(result, stroke, part, along, zero_intervals=((part.low, part.high),)),
+            )
         else:
             yield result.name, _extent(result, stroke, part, along)
 
@@ -88,7 +91,7 @@ def _bare(
     part: StrokeInterval,
     along: Sweep,
     zeros: tuple[float, ...] = (),
-    nil: tuple[Range, ...] = (),
+    zero_intervals: tuple[Range, ...] = (),
 ) -> Extent:
     """Return an extent of which only is known where the result is zero."""
     return Extent(
@@ -101,7 +104,7 @@ def _bare(
         greatest=None,
         scale=scale_of(result, along.mechanism),
         looked=False,
-        nil=nil,
+        zero_intervals=zero_intervals,
     )
 
 
@@ -113,7 +116,9 @@ def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Sweep
     )
     extremes = [] if poles or is_open else _extremes(result, stroke, part, along)
     least, greatest = least_and_greatest(extremes)
-    nil = (n for n in stroke.nil if n.result == result.name and _is_in(n, part))
+    zero_intervals = (
+        n for n in stroke.zero_intervals if n.result == result.name and _is_in(n, part)
+    )
     return Extent(
         parameter=stroke.drive,
         unit="" if stroke.dimension == ANGLE else stroke.unit,
@@ -124,7 +129,7 @@ def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Sweep
         greatest=greatest,
         scale=scale_of(result, along.mechanism),
         looked=not is_open,
-        nil=tuple((n.low, n.high) for n in nil),
+        zero_intervals=tuple((n.low, n.high) for n in zero_intervals),
         vanishes=dict(
             (
                 *vanishing(zeros, result.zeros, result, part, along),
@@ -168,8 +173,8 @@ def _is_on(x: float, part: StrokeInterval) -> bool:
     return part.low <= x <= part.high
 
 
-def _is_in(nil: ZeroInterval, part: StrokeInterval) -> bool:
-    return _is_on(nil.low, part) and _is_on(nil.high, part)
+def _is_in(zero_intervals: ZeroInterval, part: StrokeInterval) -> bool:
+    return _is_on(zero_intervals.low, part) and _is_on(zero_intervals.high, part)
 
 
 def _extremes(

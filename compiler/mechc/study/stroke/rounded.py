@@ -66,7 +66,7 @@ def _error(x: float, result: Result, along: Sweep) -> float:
     return error if math.isfinite(error) else 0.0
 
 
-def is_nil(result: Result, along: Sweep, stretch: StrokeInterval) -> bool:
+def is_zero(result: Result, along: Sweep, stretch: StrokeInterval) -> bool:
     """Return whether a result is zero but for rounding wherever a stretch is looked at.
 
     That is no proof, and what states it says that it was looked at.
@@ -147,11 +147,13 @@ def zero_parts(
         for low, high in pairwise((stretch.low, *sorted(inner), stretch.high)):
             if high - low > BRANCH_POINT * run.range:
                 part = StrokeInterval(low, high, "", "")
-                zero = (r.name for r in run.results if is_nil(r, run.along, part))
+                zero = (r.name for r in run.results if is_zero(r, run.along, part))
                 yield from (ZeroInterval(name, low, high) for name in zero)
 
 
-def is_apart(found: Singular | Extremum, nil: Sequence[ZeroInterval], range_: float) -> bool:
+def is_apart(
+    found: Singular | Extremum, zero_intervals: Sequence[ZeroInterval], range_: float
+) -> bool:
     """Return whether a singular pose or extremum is on no part on which its result is zero.
 
     At an end of one a result may jump.
@@ -159,5 +161,5 @@ def is_apart(found: Singular | Extremum, nil: Sequence[ZeroInterval], range_: fl
     near = BRANCH_POINT * range_
     if isinstance(found, Singular) and found.value == "undetermined":
         near = -near
-    parts = (part for part in nil if part.result == found.result)
+    parts = (part for part in zero_intervals if part.result == found.result)
     return not any(p.low - near <= found.drive <= p.high + near for p in parts)

@@ -25,7 +25,7 @@ from ..tolerances import (
     VARYING_EXPONENT,
 )
 from .jumps import PLACES, jumping, jumps_along
-from .rounded import each_zero_once, is_nil, is_nothing
+from .rounded import each_zero_once, is_nothing, is_zero
 from .run import StrokeRun
 from .stroke import ChangePoint, Singular, StrokeInterval
 
@@ -56,21 +56,21 @@ def singular_along(
         pose
         for stretch in stretches
         for result in ratios
-        if not is_nil(result, run.along, stretch)
+        if not is_zero(result, run.along, stretch)
         for pose in singular_poses(result, run.drive.name, run.along, stretch, run.within(stretch))
     ]
     found += [
         zero
         for stretch in stretches
         for force in (*run.forms, *run.signed)
-        if not is_nil(force, run.along, stretch)
+        if not is_zero(force, run.along, stretch)
         for zero in _zeros_of(force, run, stretch)
     ]
     found += [
         pole
         for stretch in stretches
         for force in (*run.forms, *run.first_order)
-        if not is_nil(force, run.along, stretch)
+        if not is_zero(force, run.along, stretch)
         for pole in _poles_of(force, run, stretch)
     ]
     jumped = (one.drive for one in found if one.kind == "jump")

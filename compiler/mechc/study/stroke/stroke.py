@@ -149,7 +149,7 @@ class Stroke:
     ``efficiency_ranges`` are the values that each efficiency runs through. ``without`` are the
     loads asked for that rest on loads without a value, with these. ``looked`` states
     at how many values results were looked at: what is found between two of them is refined.
-    Ratios are zero all over the parts ``nil``.
+    Ratios are zero all over the ``zero_intervals``.
     """
 
     drive: str
@@ -168,4 +168,4 @@ class Stroke:
     defaults: Mapping[str, float]
     without: tuple[tuple[str, tuple[str, ...]], ...] = ()
     looked: int = 0
-    nil: tuple[ZeroInterval, ...] = ()
+    zero_intervals: tuple[ZeroInterval, ...] = ()

@@ -61,7 +61,7 @@ class OnBody(NamedTuple):
     acting: Acting
 
 
-class Acts:
+class Actions:
     """The forces on pins, and directly on bodies, as the equations have them."""
 
     def __init__(self, assembly: AssembledBodies) -> None:
@@ -80,13 +80,15 @@ class Acts:
     def balance_couples(self) -> None:
         """Let what holds a pin take the friction of all that turns on it."""
         slides = self.members.slides
-        for acts in self.on_pins.values():
-            rest = math.fsum(acting.moment for acting in acts.values())
-            holding = [key for key in acts if key[0] in ("ground", "guide")]
-            holding += [key for key in acts if key[1] in slides]
+        for actions in self.on_pins.values():
+            rest = math.fsum(acting.moment for acting in actions.values())
+            holding = [key for key in actions if key[0] in ("ground", "guide")]
+            holding += [key for key in actions if key[1] in slides]
             if rest and holding:
                 kind, by = holding[0]
-                acts[kind, by] = acts[kind, by]._replace(moment=acts[kind, by].moment - rest)
+                actions[kind, by] = actions[kind, by]._replace(
+                    moment=actions[kind, by].moment - rest
+                )
                 if by in slides:
                     first = self.members.first(by)
                     self._on_body(by, Acting("guide", "ground", first, NOWHERE, -rest))
@@ -94,9 +96,9 @@ class Acts:
     def forget(self, bearings: Iterable[PinOnLink]) -> None:
         """Leave out forces of which teeth, belts or threads make an undetermined part."""
         for place, by in bearings:
-            acts = self.on_pins.get(place, {})
-            for key in [key for key in acts if key[1] == by]:
-                acts[key] = acts[key]._replace(force=None, moment=0.0, gap="transmission")
+            actions = self.on_pins.get(place, {})
+            for key in [key for key in actions if key[1] == by]:
+                actions[key] = actions[key]._replace(force=None, moment=0.0, gap="transmission")
             for i, acting in enumerate(self.on_bodies.get(place, [])):
                 if acting.by == by:
                     there = acting._replace(force=None, moment=0.0, gap="transmission")
@@ -107,20 +109,20 @@ class Acts:
         for each in found:
             match each:
                 case OnPin(pin, acting):
-                    acts = self.on_pins.setdefault(pin, {})
+                    actions = self.on_pins.setdefault(pin, {})
                     cause = acting.kind, acting.by
-                    acts[cause] = _plus(acts[cause], acting) if cause in acts else acting
+                    actions[cause] = _plus(actions[cause], acting) if cause in actions else acting
                 case OnBody(body, acting):
                     self._on_body(body, acting)
 
     def _on_body(self, name: str, acting: Acting) -> None:
         alike = (acting.kind, acting.by, acting.point)
-        acts = self.on_bodies[name]
-        for i, there in enumerate(acts):
+        actions = self.on_bodies[name]
+        for i, there in enumerate(actions):
             if (there.kind, there.by, there.point) == alike:
-                acts[i] = _plus(there, acting)
+                actions[i] = _plus(there, acting)
                 return
-        acts.append(acting)
+        actions.append(acting)
 
 
 def _plus(first: Acting, second: Acting) -> Acting:

@@ -24,7 +24,7 @@ Shortened = Callable[[int, SpeedFactors], SpeedFactors]
 
 
 @frozen
-class StandingPlan(Plan):
+class ReadablePlan(Plan):
     """A plan to read formulas off: its speeds are divided by nothing that would cancel."""
 
     def value(self, form: LinearForm) -> SpeedFactors:
@@ -35,14 +35,14 @@ class StandingPlan(Plan):
         )
 
 
-def standing(plan: Plan) -> StandingPlan:
+def readable_plan(plan: Plan) -> ReadablePlan:
     """Return the plan with speeds as they follow from those before."""
     return _plan_with(plan, _followed(plan, lambda unknown, found: found), {})
 
 
 def in_ratios(
     plan: Plan, values: Mapping[str, float], taken: frozenset[str] = frozenset()
-) -> StandingPlan:
+) -> ReadablePlan:
     """Return a plan of one drive in which every speed follows from named ratios.
 
     ``i_DEF`` is how fast link DEF turns, or point D moves along its guide, for a unit of the
@@ -56,12 +56,12 @@ def in_ratios(
 
 def _plan_with(
     plan: Plan, speeds: Mapping[int, SpeedFactors], ratios: Mapping[int, Binding]
-) -> StandingPlan:
+) -> ReadablePlan:
     """Return a plan with other speeds, by ``ratios`` if there are any."""
     kept = {field.name: getattr(plan, field.name) for field in fields(plan)}
     if ratios:
         kept |= {"bindings": tuple(ratios.values()), "ratios": ratios}
-    return StandingPlan(**kept | {"speeds": speeds})
+    return ReadablePlan(**kept | {"speeds": speeds})
 
 
 def _followed(plan: Plan, shortened: Shortened) -> Mapping[int, SpeedFactors]:

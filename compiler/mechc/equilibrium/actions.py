@@ -21,7 +21,7 @@ from .equilibrium import EquilibriumSum, LoadTerms
 X, Y = Angle(), QUARTER
 
 
-class Act(NamedTuple):
+class Action(NamedTuple):
     """A force ``along`` a line, ``at`` an arm from a body's first point; a couple has no line.
 
     It counts ``size`` times. ``pin`` is the pin through which it acts on the body, '' where it
@@ -45,7 +45,7 @@ class FreeBody:
     """
 
     name: str
-    acts: tuple[Act, ...]
+    actions: tuple[Action, ...]
     frame: Mapping[str, Vector]
     lines: tuple[Angle, ...]
     guide: Angle | None
@@ -61,10 +61,10 @@ def unit(vector: Vector) -> Vector:
     return tuple(Arm(arm.length / length, arm.angle) for arm in vector)
 
 
-def lines_of(acts: Iterable[Act], guide: Angle | None) -> Iterator[Angle]:
+def lines_of(actions: Iterable[Action], guide: Angle | None) -> Iterator[Angle]:
     """Yield the directions in which the sums of forces are short, each line once."""
     whole = [*([guide] if guide else []), X, Y]
-    whole += [act.along + QUARTER for act in acts if act.along is not None]
+    whole += [action.along + QUARTER for action in actions if action.along is not None]
     met: set[Angle] = set()
     for line in whole:
         there = Angle(line.terms, line.degrees % 180)
@@ -84,10 +84,10 @@ def bent(pose: Pose) -> Iterator[str]:
 def balances(body: FreeBody) -> Iterator[EquilibriumSum]:
     """Yield the sums of moments about each point of a body and of forces in each direction."""
     for centre, place in body.frame.items():
-        moments = ((act.name, _moment(act, place)) for act in body.acts)
+        moments = ((action.name, _moment(action, place)) for action in body.actions)
         yield EquilibriumSum(body.name, summed(moments), centre)
     for line in body.lines:
-        terms = summed((act.name, part_along(act, line)) for act in body.acts)
+        terms = summed((action.name, part_along(action, line)) for action in body.actions)
         across = next((rod for name, rod in body.rods.items() if name not in terms), "")
         yield EquilibriumSum(body.name, terms, "", line, line == body.guide, across)
 
@@ -101,17 +101,17 @@ def summed(parts: Iterable[tuple[str, Product]]) -> LoadTerms:
     return {name: part for name, part in sums.items() if part}
 
 
-def _moment(act: Act, centre: Vector) -> Product:
+def _moment(action: Action, centre: Vector) -> Product:
     """Return the moment of what acts about a point."""
-    if act.along is None:
-        return act.size
-    arm = (*reverse(centre), *act.at)
-    return act.size * add(length * sine(act.along - angle) for length, angle in arm)
+    if action.along is None:
+        return action.size
+    arm = (*reverse(centre), *action.at)
+    return action.size * add(length * sine(action.along - angle) for length, angle in arm)
 
 
-def part_along(act: Act, line: Angle) -> Product:
+def part_along(action: Action, line: Angle) -> Product:
     """Return the component of what acts along a line."""
-    return ZERO if act.along is None else act.size * cosine(act.along - line)
+    return ZERO if action.along is None else action.size * cosine(action.along - line)
 
 
 @frozen
