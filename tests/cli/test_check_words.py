@@ -13,7 +13,7 @@ from mechc.cli.check_lines import report
 from mechc.report.languages import registry
 from mechc.statics.verdict import UNJUDGED, WITHOUT_FORCES
 from mechc.syntax.vocabulary import LANGUAGES
-from paths import EXAMPLES, GOOD
+from paths import CORPUS, EXAMPLES
 
 Run = Callable[..., str]
 
@@ -138,5 +138,5 @@ def test_constant_angles_are_in_degrees(capsys):
 def test_what_is_squared_or_between_bars_has_no_minus_before_it(run: Run) -> None:
     out = run("check", str(EXAMPLES / "press" / "press.mech"))
     assert "len_AC1 = hypot(r*cos(phi) + x_O, y_C1 - r*sin(phi) - y_O)" in out
-    out = run("check", str(GOOD / "opposite_sliders.mech"))
+    out = run("check", str(CORPUS / "good" / "opposite_sliders.mech"))
     assert "/abs(l*cos(delta - 50 deg)*cos(theta + 80 deg) + u*sin(delta + 80 deg)" in out
