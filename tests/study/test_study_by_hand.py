@@ -317,6 +317,13 @@ def test_extrema_lie_between_the_places_where_a_result_turns():
     assert not list(extrema(Plain, "x", Written(lambda v: v), places))
 
 
+def test_a_result_turns_once_among_places_that_lie_as_near_as_rounding():
+    """Beside the place at which friction turns round it is looked at on either side of it."""
+    places = sorted([*(i / 7 for i in range(15)), 1 - 1e-8, 1 + 1e-8])
+    (top,) = extrema(Plain, "x", Written(lambda v: 3 - (v - 1) ** 2), places)
+    assert (top.kind, top.drive) == ("maximum", pytest.approx(1.0, abs=1e-6))
+
+
 def test_beside_a_jump_a_result_is_least_at_the_jump_and_not_where_it_was_looked_at():
     places = [i / 7 for i in range(15)]
     (low,) = extrema(Plain, "x", Written(lambda v: -v if v < 1.03 else 5.0 + v), places)
@@ -467,7 +474,9 @@ class ByHand(Moving):
         return StateFound("free", 0.5, False)
 
 
-IDEAL = SimpleNamespace(sign=1, is_iterated=False, is_slow=False)
+IDEAL = SimpleNamespace(sign=1, is_iterated=False, is_slow=False, real=SimpleNamespace(where=()))
+SLIDING = SimpleNamespace(off_rest=lambda where, x: [])
+"""A sweep on which every slip has a sense."""
 
 
 def with_friction(kind: type[Moving], real: float | None, ideal: float) -> Moving:
@@ -483,7 +492,33 @@ def with_friction(kind: type[Moving], real: float | None, ideal: float) -> Movin
         def _real(self, x: float) -> float | None:
             return real
 
-    return Constant(SimpleNamespace(sweep=None, result=None), IDEAL)
+    return Constant(SimpleNamespace(sweep=SLIDING, result=None), IDEAL)
+
+
+class AtRest(Moving):
+    """A ratio that is zero at 0.5, and 1.1 or 0.9 of it with friction, where a slip is 0."""
+
+    def __init__(self) -> None:
+        beside = SimpleNamespace(off_rest=lambda where, x: [x - 1e-9, x + 1e-9])
+        super().__init__(SimpleNamespace(sweep=beside, result=None), IDEAL)
+
+    def without(self, x: float) -> float:
+        return x - 0.5
+
+    def is_dead_centre(self, x: float) -> bool:
+        return x == 0.5
+
+    def _real(self, x: float) -> float:
+        has_sense = abs(x - 0.5) > 1e-10
+        return (1.1 if x > 0.5 else 0.9) * (x - 0.5) * has_sense
+
+
+def test_beside_a_dead_centre_both_ratios_are_taken_where_the_slip_has_a_sense():
+    """Nearer to it than that place the ratio is some 1e-15."""
+    moving = AtRest()
+    assert moving.at(0.5 - 1e-15).share == pytest.approx(0.9)
+    assert moving.at(0.5 + 1e-15).share == pytest.approx(1.1)
+    assert [moving.at(0.5 + x).driven for x in (-1e-15, 1e-15)] == [True, False]
 
 
 @pytest.mark.parametrize(

@@ -227,8 +227,18 @@ class Moving:
         driven = self.driven(x)
         if driven is None:
             return NOWHERE
-        real = self._real(x)
-        return StateFound(None, math.nan, driven) if real is None else self._state(real, x, driven)
+        at = self._off_rest(x, driven)
+        real = self._real(at)
+        return StateFound(None, math.nan, driven) if real is None else self._state(real, at, driven)
+
+    def _off_rest(self, x: float, driven: bool) -> float:
+        """Return a value, or one next to it where a slip is 0, on this side of a dead centre.
+
+        Friction has no sense there, and the ratio without it is the limit of neither side.
+        """
+        beside = self.sweep.off_rest(self._ratios.real.where, x)
+        same = (y for y in beside if self.driven(y) == driven)
+        return next(same, beside[0] if beside else x)
 
     def _state(self, real: float, x: float, driven: bool) -> StateFound:
         """Return the state in a pose by the ratio with friction there."""
@@ -238,12 +248,8 @@ class Moving:
         return StateFound("locked" if driven else "jammed", share, driven)
 
     def _real(self, x: float) -> float | None:
-        """Return the ratio with friction, NaN where nothing balances, None where none is found.
-
-        Where a slip is 0 friction has no sense, and the ratio without it is the limit of neither
-        side: it is taken from next to there.
-        """
-        (form, elsewhere), x = self._ratios.forms, self.sweep.off_rest(self._ratios.real.where, x)
+        """Return the ratio with friction, NaN where nothing balances, None where none is found."""
+        form, elsewhere = self._ratios.forms
         found = self._value(form, x)
         return self._value(elsewhere, x) if elsewhere and found is None else found
 

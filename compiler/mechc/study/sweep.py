@@ -89,11 +89,11 @@ class Sweep(PoseSweep):
         limits = [2 * value(x + step) - value(x + 2 * step) for step in steps]
         return at_rest.one_or_both(limits, SAME_SIDES)
 
-    def off_rest(self, where: Definitions, x: float) -> float:
-        """Return a value next to one at which alone a slip is 0, any other value as it is."""
+    def off_rest(self, where: Definitions, x: float) -> list[float]:
+        """Return values next to one at which alone a slip is 0, none for any other value."""
         senses = self._senses_of(where)
         steps = () if senses is None else self._steps_off_rest(senses, x)
-        return next((x + step for step in steps), x)
+        return [x + step for step in steps]
 
     def _steps_off_rest(self, senses: Functions, x: float) -> Iterator[float]:
         """Yield the steps to poses at which a slip has a sense that has none at ``x``."""

@@ -212,17 +212,33 @@ def extrema(
     """
     values = [*map(along.function(result.formula, result), grid)]
     least = CONSTANT * _usual(values)
-    for i in range(1, len(grid) - 1):
-        before, here, after = values[i - 1 : i + 2]
-        turns = before > here <= after or before < here >= after
+    differing = _differing(values, least)
+    for a, i, b in zip(differing, differing[1:], differing[2:], strict=False):
+        before, here, after = values[a], values[i], values[b]
+        turns = before > here < after or before < here > after
         change = max(abs(before - here), abs(after - here))
-        if turns and change > least and not (_is_direction(result) and change > math.pi):
-            sense = 1 if here <= after else -1
-            near = _turning(result, drive, along, sense, (grid[i - 1], grid[i + 1]))
+        if turns and not (_is_direction(result) and change > math.pi):
+            sense = 1 if here < after else -1
+            near = _turning(result, drive, along, sense, (grid[a], grid[b]))
             near, value = across(near) or (near, along.of(result.formula, result, near))
             if not sense * value <= sense * here:
                 near, value = grid[i], here
             yield Extremum(result.name, KINDS[sense], near, value)
+
+
+def _differing(values: Sequence[float], least: float) -> list[int]:
+    """Return the indices of values, of those that differ by no more than rounding the first.
+
+    Beside a place at which friction turns round two others may be looked at, as near as rounding.
+
+    >>> _differing([2.0, 1.0, 1.0, 1.0, math.nan, 2.0], 1e-9)
+    [0, 1, 4, 5]
+    """
+    kept = [0] if values else []
+    for i, value in enumerate(values):
+        if kept[-1] != i and not abs(value - values[kept[-1]]) <= least:
+            kept.append(i)
+    return kept
 
 
 def _is_direction(result: Analysis) -> bool:

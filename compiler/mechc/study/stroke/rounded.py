@@ -9,8 +9,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 
 from ...formula.roots import spaced
-from ...formula.rounding import with_error
-from ...model.result import Result
+from ...formula.rounding import Rounding, with_error
+from ...formula.walk import walk
+from ...model.result import Definition, Result
+from ..states import is_sign
 from ..sweep import Sweep
 from ..tolerances import BRANCH_POINT, LOST, NEAR_ZERO, NEARBY, NEGLIGIBLE
 from .run import StrokeRun
@@ -28,13 +30,26 @@ def rounded(
 ) -> Iterator[Extremum]:
     """Yield an extremum, 0 where that is nothing but rounding; none where there is no value.
 
-    Nor is there one where rounding is as large as values elsewhere: something is infinite.
+    Nor is there one where rounding is as large as values elsewhere: something is infinite. Where
+    friction turns round it is as large on a kink as well, and the value is that of both sides.
     """
     number = along.beyond_rounding(result, found.drive, found.value)
-    if number is None or not math.isfinite(number):
-        return
-    if number or abs(found.value) <= LOST * _usual(result, along, grid):
+    is_small = abs(found.value) <= LOST * _usual(result, along, grid)
+    if not number and not is_small:
+        where = along.form_at(result, found.drive).where
+        number = found.value if is_on_a_sign(where, along.rounding(found.drive)) else None
+    if number is not None and math.isfinite(number):
         yield found._replace(value=number)
+
+
+def is_on_a_sign(where: Sequence[Definition], rounding: Rounding) -> bool:
+    """Return whether definitions have a sign in them that rounding makes."""
+    known = Rounding({})
+    known.values.update(rounding.values)
+    known.define(where)
+    formulas = (d.formula for d in where if d.name in known.values)
+    signs = (part for formula in formulas for part in walk(formula) if is_sign(part))
+    return any(known.of(sign).error >= 1 for sign in signs)
 
 
 def is_turning(found: Extremum, result: Result, along: Sweep, grid: Sequence[float]) -> bool:

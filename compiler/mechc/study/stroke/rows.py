@@ -13,18 +13,18 @@ from ...formula.rounding import (
     without_rounding,
     without_value,
 )
-from ...formula.walk import symbols, walk
+from ...formula.walk import symbols
 from ...model.mechanism import Mechanism
 from ...model.parts.targets import Efficiency, WithFriction
 from ...model.result import Definition
 from ...model.values import own_unit
 from ...units import ANGLE, LENGTH, Dimension
 from ..pose_sweep import NO_POSE
-from ..states import is_sign
 from ..sweep import Sweep
 from ..tolerances import SAME_SIDES, SIDE, STRAIGHT, VANISHING
 from .columns import Filled, ShownQuantities, path_columns
 from .removable import RemovablePlaces
+from .rounded import is_on_a_sign
 from .run import StrokeRun
 from .stretches import beyond, trouble
 from .stroke import AngleAt, StrokeColumn, StrokeInterval, StrokeRow
@@ -195,12 +195,7 @@ def is_on_a_side(size: PrintedNumber, where: Sequence[Definition], rounding: Rou
     """Return whether a value rests on a sign that rounding makes, or has no number."""
     if size.number is None or not math.isfinite(size.number):
         return True
-    known = Rounding({})
-    known.values.update(rounding.values)
-    known.define(where)
-    formulas = (d.formula for d in where if d.name in known.values)
-    signs = (part for formula in formulas for part in walk(formula) if is_sign(part))
-    return any(known.of(sign).error >= 1 for sign in signs)
+    return is_on_a_sign(where, rounding)
 
 
 def from_both_sides(
