@@ -1,10 +1,13 @@
 """Formulas as a person writes their angles: what an explanation may grow by."""
 
+from mechc.driver import Compilation, compile_source
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, product
 from mechc.report.derivation.readable import ReadableFormulas
 from mechc.report.kinds import SentenceKind
 from mechc.report.steps import Equation, Explanation, Paragraph
+from mechc.report.text.derivation import render
+from mechc.source import Source
 
 A, B, N = (Symbol(name) for name in ("alpha", "beta", "N"))
 
@@ -13,6 +16,7 @@ def readable() -> ReadableFormulas:
     """Return formulas of a plan in which every angle is to be turned by 90°."""
     found = object.__new__(ReadableFormulas)
     found._turns, found._found = frozenset(), set()
+    found._ranges = dict  # type: ignore[assignment]
     found._values = lambda: {"alpha": 0.1, "beta": 0.2}  # type: ignore[assignment]
     found._quarter = lambda angle: 90  # type: ignore[assignment]
     return found
@@ -32,3 +36,29 @@ def test_a_term_is_turned_that_grows_by_one_operation() -> None:
 
 def test_a_term_is_left_that_would_grow_by_two() -> None:
     assert explained(A, B) == "cos(alpha)*cos(beta)"
+
+
+def test_bars_stand_only_where_the_sign_is_open():
+    """Over the ranges given cos β is positive; of a load, or without a range, nothing is known."""
+    source = """
+    mechanism crank
+    param beta = 15 deg in 5 deg .. 40 deg
+    pivot O
+    slider B along x
+    link OA
+    link AB
+    OA = 50 mm @ 60 deg
+    AB = 200 mm @ -beta
+    torque M on OA
+    force F at B along -x
+    find k = M/F
+    find R_O
+    """
+    sizes = ("R_O = |F| / cos β", "R_O = |F| / |cos β|")
+    for written, size in zip(
+        (source, source.replace(" in 5 deg .. 40 deg", "")), sizes, strict=True
+    ):
+        found = compile_source(Source("crank.mech", written))
+        assert isinstance(found, Compilation)
+        lines = render(found.derivation, found.mechanism).splitlines()
+        assert size in map(str.strip, lines)

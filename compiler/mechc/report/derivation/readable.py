@@ -1,9 +1,11 @@
 """How a derivation's formulas are turned to be read: as a person writes the angles in them."""
 
-from collections.abc import Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from functools import cache, partial
 from typing import Literal
 
+from ...algebra.from_formula import to_product
+from ...algebra.intervals import IntervalBox, sign
 from ...formula.differences import (
     MOST_READ_OPERATIONS,
     LazyValues,
@@ -16,11 +18,24 @@ from ...formula.differences import (
 )
 from ...formula.layout import has_minus, over_line
 from ...formula.operations import count_operations
-from ...formula.rewriting import plus_first, without_sign
-from ...formula.tree import ZERO, Formula, Product, Sum, is_call, negative, total
+from ...formula.rewriting import plus_first, rewritten, without_sign
+from ...formula.tree import (
+    ONE,
+    ZERO,
+    Call,
+    Formula,
+    Product,
+    Sum,
+    is_call,
+    negative,
+    number,
+    product,
+    total,
+)
 from ...formula.walk import symbols, walk
 from ...frozen import replace
 from ...kinematics.plan import Plan
+from ...model.boxes import stroke_box
 from ...model.mechanism import Require, WithFriction
 from ...model.result import Definition
 from ...model.values import completed
@@ -40,6 +55,36 @@ _OPPOSITE: Mapping[str, Literal["<", "<=", ">", ">="]] = {
 """The signs of conditions of which both sides are negative."""
 
 
+def _without_bars(formula: Formula, ranges: Callable[[], IntervalBox]) -> Formula:
+    """Return a formula in which no bars stand about factors of one sign over the ranges.
+
+    Outside them the formula may have another sign: that is for readers, who have the ranges.
+
+    >>> from ...algebra.intervals import NumberInterval
+    >>> from ...formula.tree import Symbol
+    >>> beta, force = Call("cos", (Symbol("beta"),)), Symbol("F")
+    >>> size = Call("abs", (product([(beta, 1), (force, 1)]),))
+    >>> _without_bars(size, lambda: {"beta": NumberInterval(0.1, 0.7)}) == product(
+    ...     [(beta, 1), (Call("abs", (force,)), 1)]
+    ... )
+    True
+    """
+
+    def bare(whole: Formula) -> Formula | None:
+        match whole:
+            case Call("abs", (inner,)):
+                factors = inner.factors if isinstance(inner, Product) else (inner,)
+                senses = [(f, sign(to_product(f), ranges()) or 0) for f in factors]
+                open_ = product((f, 1) for f, sense in senses if not sense)
+                known = [(product([(number(sense), 1), (f, 1)]), 1) for f, sense in senses if sense]
+                left = [] if open_ == ONE else [(Call("abs", (open_,)), 1)]
+                return product([*known, *left]) if known else None
+        return None
+
+    is_barred = any(is_call(part, "abs") for part in walk(formula))
+    return rewritten(formula, bare) if is_barred else formula
+
+
 def _terms(formula: Formula) -> frozenset[Formula]:
     """Return the terms of a sum, whatever their order; none of what is no sum."""
     return frozenset(formula.terms) if isinstance(formula, Sum) else frozenset()
@@ -54,13 +99,16 @@ class ReadableFormulas:
         self._found = {definition.name for definition in plan.graph.pose.definitions}
         self._values: LazyValues = cache(partial(default_values, plan))
         self._quarter = given_lines(plan.graph.pose)
+        self._ranges = cache(partial(stroke_box, plan.graph.pose.mechanism))
 
     def of(self, formula: Formula, longer: int = 0) -> Formula:
         """Return a formula with its sines of differences turned, its sums led by a plus.
 
-        Its quotients have whole numbers, not decimals. For an angle that is given it may grow
+        Its quotients have whole numbers, not decimals, and nothing stands between bars that has one
+        sign over the ranges given. For an angle that is given it may grow
         ``longer`` by so many operations.
         """
+        formula = _without_bars(formula, self._ranges)
         written = over_line(with_positive_sines(formula, self._values, self._quarter, longer))
         if count_operations(written) > MOST_READ_OPERATIONS:
             return written
