@@ -211,24 +211,32 @@ def _without_equal_numbers(product: Product) -> Product:
     """
     for factor, exponent in product.factors.items():
         if isinstance(factor, Sum):
-            terms = _left(factor.terms)
+            terms = _without_cancelled(factor.terms)
             if len(terms) < len(factor.terms) and (terms or exponent > 0):
                 rest = product * Product(1, {factor: -exponent})
                 return _without_equal_numbers(rest * add(terms) ** exponent)
     return product
 
 
-def _left(terms: Sequence[Product]) -> list[Product]:
+def _without_cancelled(terms: Sequence[Product]) -> list[Product]:
     """Return the terms of a sum without those that differ by named numbers and come to zero."""
-    alike: dict[Product, list[Product]] = {}
+    groups: dict[Product, list[Product]] = {}
     for term in terms:
-        numbers: dict[Factor, int] = {
-            f: e for f, e in term.factors.items() if isinstance(f, ConstantSymbol) and e > 0
-        }
-        alike.setdefault(term / Product(term.coefficient, numbers), []).append(term)
-    cancelled = (rest for rest, found in alike.items() if len(found) > 1)
-    gone = {rest for rest in cancelled if _vanishes([term / rest for term in alike[rest]])}
-    return [term for rest, found in alike.items() if rest not in gone for term in found]
+        groups.setdefault(term / _number_in(term), []).append(term)
+    return [
+        term
+        for common, group in groups.items()
+        if len(group) == 1 or not _vanishes([term / common for term in group])
+        for term in group
+    ]
+
+
+def _number_in(term: Product) -> Product:
+    """Return the coefficient of a term times the named numbers above its line."""
+    numbers: dict[Factor, int] = {
+        f: e for f, e in term.factors.items() if isinstance(f, ConstantSymbol) and e > 0
+    }
+    return Product(term.coefficient, numbers)
 
 
 def _vanishes(terms: Sequence[Product]) -> bool:

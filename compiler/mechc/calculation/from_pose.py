@@ -29,7 +29,7 @@ def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
     there, E564 where a result of a mechanism has none; W265 where a sign makes a condition hold,
     W290 where a size is negative, W518 where a joint of a mechanism does not slide.
     """
-    pose = _with(pose, solved)
+    pose = _with_conditions_of(solved, pose)
     mechanism = pose.mechanism
     given = {**default_pose(mechanism)}
     brought = tuple(with_values(taken(mechanism, solved), given))
@@ -52,8 +52,8 @@ def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
     return Calculation(pose, (*brought, *found), checks)
 
 
-def _with(pose: Pose, solved: UsedSolution) -> Pose:
-    """Return the pose of a sheet with what the results of used mechanisms rest on."""
+def _with_conditions_of(solved: UsedSolution, pose: Pose) -> Pose:
+    """Return the pose of a sheet with the conditions and definitions of used mechanisms."""
     requires = (*pose.mechanism.requires, *solved.requires)
     definitions = (PoseDefinition(*d) for d in solved.definitions)
     return replace(

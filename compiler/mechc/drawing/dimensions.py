@@ -185,6 +185,10 @@ def _shortened(start: Plane, end: Plane) -> tuple[Plane, Plane]:
 
 
 def _draw_angle(sheet: Sheet, paper: Paper, mark: AngleMark) -> None:
+    """Draw an angle: its arc, that of the radii which crosses least, its value, and its sides.
+
+    A side is drawn where no line of the figure runs along it.
+    """
     if abs(mark.sweep) < SMALLEST_DRAWN_ANGLE:
         return
     at, lines = paper.at(mark.vertex), list(_lines_at(paper, mark.vertex))

@@ -50,13 +50,14 @@ def plans(
 
 
 def _of_velocities(
-    figure: Figure, all_: Sequence[MotionVelocities], number: int, words: Mapping[str, str]
+    figure: Figure, motions: Sequence[MotionVelocities], number: int, words: Mapping[str, str]
 ) -> Drawing:
     """Return the plan of one motion, its scale, and how fast links turn."""
-    velocities = all_[number]
+    velocities = motions[number]
     speeds, polygon = VelocityVectors(velocities), velocity_polygon(figure, velocities)
-    several = words["motion"].format(number=number + 1, count=len(all_)) if len(all_) > 1 else ""
-    head = words["velocities"] + (f", {several}" if several else "")
+    head = words["velocities"]
+    if len(motions) > 1:
+        head += ", " + words["motion"].format(number=number + 1, count=len(motions))
     unit = speeds.name(velocities.per) if velocities.per else (TextRun("m/s", unit=True),)
     spins = filter(None, map(speeds.spin, velocities.spins))
     return joined(

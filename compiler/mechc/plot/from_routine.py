@@ -115,6 +115,7 @@ def _curve(
     trace: Trace,
     function: ArrayFunction,
 ) -> Curve:
+    """Return the curve of a quantity: its pieces, and marks where it turns, is zero, is default."""
     parts = tuple(
         tuple(Plane(float(x), float(y)) for x, y in zip(xs, ys, strict=True))
         for xs, ys in pieces(trace)

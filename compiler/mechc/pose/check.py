@@ -20,7 +20,7 @@ RATE_GAP = 1e-4
 
 def broken_promises(pose: Pose) -> list[str]:
     """Return a sentence for each promise of this folder that a pose breaks."""
-    return [*_names(pose), *_missing(pose), *_frames(pose), *_gaps(pose), *_rates(pose)]
+    return [*_names(pose), *_missing(pose), *_frames(pose), *_gaps(pose), *_wrong_rates(pose)]
 
 
 def known_names(pose: Pose) -> set[str]:
@@ -135,8 +135,8 @@ def _is_numeric(frame: BodyFrame, values: Mapping[str, float]) -> bool:
     return all(symbols(f) <= values.keys() for v in frame.values() for f in _of_vector(v))
 
 
-def _rates(pose: Pose) -> Iterator[str]:
-    """Yield the names whose rate is not how they change as the drive moves a little."""
+def _wrong_rates(pose: Pose) -> Iterator[str]:
+    """Yield a sentence for each rate that is not the change of its name with the drive."""
     drive = pose.mechanism.drive
     if drive is None or not pose.rates:
         return

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import TypeGuard
 
 from ...diagnostics.model import doubtful_sizes as doubts
 from ...diagnostics.model import sheets as messages
@@ -85,15 +86,19 @@ def note_unit_factor(statement: ast.Let, dimension: Dimension, scope: NameScope)
     if statement.value is None or dimension not in BY_A_FACTOR:
         return
     parts = [leaf for each in expressions_in(statement.value) for leaf in leaves(each)]
-    turning = [
-        leaf.name
-        for leaf in parts
-        if isinstance(leaf, ast.Symbol)
-        and (entry := scope.entries.get(leaf.name)) is not None
-        and entry.dimension == FREQUENCY
-    ]
-    for leaf in parts:
-        if turning and isinstance(leaf, ast.Number) and not leaf.unit and leaf.value in FACTORS:
-            found = (leaf.digits, turning[0], BY_A_FACTOR[dimension])
-            scope.report.add(doubts.factor_between_units(leaf.span, *found))
-            return
+    frequency = next((part.name for part in parts if _is_frequency(part, scope)), None)
+    factor = next((part for part in parts if _is_factor_between_units(part)), None)
+    if frequency and factor:
+        found = (factor.digits, frequency, BY_A_FACTOR[dimension])
+        scope.report.add(doubts.factor_between_units(factor.span, *found))
+
+
+def _is_frequency(part: ast.Expr, scope: NameScope) -> TypeGuard[ast.Symbol]:
+    """Return whether a part of a formula is the name of a frequency."""
+    entry = scope.entries.get(part.name) if isinstance(part, ast.Symbol) else None
+    return entry is not None and entry.dimension == FREQUENCY
+
+
+def _is_factor_between_units(part: ast.Expr) -> TypeGuard[ast.Number]:
+    """Return whether a part of a formula is a bare number such as 60, by which units differ."""
+    return isinstance(part, ast.Number) and not part.unit and part.value in FACTORS

@@ -115,8 +115,8 @@ class ReadableFormulas:
         is_turned = not self._turns.isdisjoint(symbols(formula))
         return plus_first(geometry_first(written, self._turns) if is_turned else written)
 
-    def relation(self, equation: Equation) -> Equation:
-        """Return an equation of such sides, with the fewer minuses at their heads.
+    def with_fewest_minuses(self, equation: Equation) -> Equation:
+        """Return an equation with readable sides, all of the other sign if fewer have a minus then.
 
         Of sums of forces and moments the signs have a meaning; velocities have none.
         """
@@ -153,7 +153,7 @@ class ReadableFormulas:
 
     def step(self, step: DerivationStep, sines: Sequence[Formula]) -> DerivationStep:
         """Return a step of the velocities; what it finds has the sines that results have."""
-        relations = tuple(map(self.relation, step.relations))
+        relations = tuple(map(self.with_fewest_minuses, step.relations))
         results = self.equations(step.results)
         found = (e._replace(right=factors_as_in(e.right, *sines)) for e in results)
         return replace(step, relations=relations, results=tuple(found))

@@ -109,26 +109,50 @@ def given(
 
 
 def _given(parameter: Parameter, spell: TextSpeller, value: Formula | None = None) -> NoteRow:
-    signs = spell.signs
-    unit = parameter.unit or si_unit(parameter.dimension)
+    """Return the row of a parameter, with its ``value`` behind the formula that it has."""
+    said = _value_and_range(parameter, value, spell)
+    texts = (spell.text(text) for text in (parameter.label, parameter.about) if text)
+    return NoteRow(f"{print_name(parameter.name, spell.signs)} = {said}", "; ".join(texts))
+
+
+def _value_and_range(parameter: Parameter, value: Formula | None, spell: TextSpeller) -> str:
     if parameter.value is None:
         said = spell.locale.any_value
     elif parameter.dependent and not is_constant(parameter):
-        shown = parameter.written or WrittenFormula(parameter.value)
-        said = _asked(shown, shown.formula, signs, parameter.name in signs.angles)
-        if value is not None:
-            known = in_unit(evaluate(value, {}), _unit_of_value(parameter), VALUE_DIGITS)
-            said += f" = {print_quantity(known, signs)}"
+        said = _formula_and_value(parameter, parameter.value, value, spell.signs)
     else:
-        size = evaluate(parameter.value, {})
-        said = print_quantity(in_unit(size, unit, VALUE_DIGITS), signs)
-        said += f" ({print_quantity(in_unit(size, 'deg', VALUE_DIGITS), signs)})" * (unit == "rad")
-    if parameter.range:
-        ends = (in_unit(evaluate(end, {}), unit, VALUE_DIGITS) for end in parameter.range)
-        between = " … " if signs.fancy else " .. "
-        said += f", {spell.locale.range.lower()} {print_quantity(between.join(ends), signs)}"
-    texts = (spell.text(text) for text in (parameter.label, parameter.about) if text)
-    return NoteRow(f"{print_name(parameter.name, signs)} = {said}", "; ".join(texts))
+        said = _constant(parameter, evaluate(parameter.value, {}), spell.signs)
+    return f"{said}, {_range(parameter, spell)}" if parameter.range else said
+
+
+def _formula_and_value(
+    parameter: Parameter, formula: Formula, value: Formula | None, signs: TextSigns
+) -> str:
+    """Return the formula that a parameter follows from as it was written, then its value."""
+    shown = parameter.written or WrittenFormula(formula)
+    said = _asked(shown, shown.formula, signs, parameter.name in signs.angles)
+    if value is None:
+        return said
+    known = in_unit(evaluate(value, {}), _unit_of_value(parameter), VALUE_DIGITS)
+    return f"{said} = {print_quantity(known, signs)}"
+
+
+def _constant(parameter: Parameter, size: float, signs: TextSigns) -> str:
+    """Return a size in the unit of a parameter, radians with the degrees behind them."""
+    unit = _own_unit(parameter)
+    units = (unit, "deg") if unit == "rad" else (unit,)
+    first, *others = (print_quantity(in_unit(size, u, VALUE_DIGITS), signs) for u in units)
+    return " ".join((first, *(f"({other})" for other in others)))
+
+
+def _range(parameter: Parameter, spell: TextSpeller) -> str:
+    unit, between = _own_unit(parameter), " … " if spell.signs.fancy else " .. "
+    ends = (in_unit(evaluate(end, {}), unit, VALUE_DIGITS) for end in parameter.range or ())
+    return f"{spell.locale.range.lower()} {print_quantity(between.join(ends), spell.signs)}"
+
+
+def _own_unit(parameter: Parameter) -> str:
+    return parameter.unit or si_unit(parameter.dimension)
 
 
 def _unit_of_value(parameter: Parameter) -> str:

@@ -103,14 +103,13 @@ def with_reached(
     ``excluded`` is what ends a stretch that the loops go on beyond. A drive that ``turns``
     comes back to where it was. Nothing is marked where the default pose is on no stretch.
     """
-    groups = _together(stretches, excluded)
-    around = stretches and _comes_round(stretches[0], stretches[-1], turns)
-    if around and len(groups) > 1:
-        groups = [[*groups[-1], *groups[0]], *groups[1:-1]]
-    home = next((g for g in groups if default is not None and _holds(g, default)), None)
-    if home is None:
+    if default is None:
         return tuple(stretches)
-    return tuple(s._replace(reached=s in home) for s in stretches)
+    groups = _together(stretches, excluded)
+    if len(groups) > 1 and turns and _comes_round(stretches[0], stretches[-1]):
+        groups = [[*groups[-1], *groups[0]], *groups[1:-1]]
+    reached = next((group for group in groups if _holds(group, default)), stretches)
+    return tuple(s._replace(reached=s in reached) for s in stretches)
 
 
 def _together(stretches: Sequence[StrokeInterval], excluded: str) -> list[list[StrokeInterval]]:
@@ -124,9 +123,10 @@ def _together(stretches: Sequence[StrokeInterval], excluded: str) -> list[list[S
     return groups
 
 
-def _comes_round(first: StrokeInterval, last: StrokeInterval, turns: bool) -> bool:
+def _comes_round(first: StrokeInterval, last: StrokeInterval) -> bool:
+    """Return whether stretches end where they begin, a full turn later, with a pose there."""
     whole = math.isclose(last.high - first.low, FULL_TURN, rel_tol=SAME_VALUE)
-    return turns and whole and not first.before and not last.after
+    return whole and not first.before and not last.after
 
 
 def _holds(stretches: Sequence[StrokeInterval], x: float) -> bool:

@@ -117,9 +117,12 @@ def _children(rule: LarkRule) -> list[int | None]:
     places = iter(range(len(symbols)))
     children: list[int | None] = []
     for left_out in options.empty_indices or [False] * len(symbols):
-        place = None if left_out else next(places)
-        if place is None or not symbols[place].is_term:
-            children.append(~place if place is not None and _inlined(symbols[place]) else place)
+        if left_out:
+            children.append(None)
+            continue
+        place = next(places)
+        if not symbols[place].is_term:
+            children.append(~place if _inlined(symbols[place]) else place)
         elif not symbols[place].filter_out:
             children.append(place)
     return children
