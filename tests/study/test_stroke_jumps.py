@@ -127,3 +127,32 @@ def test_a_turn_in_the_cell_next_to_a_jam_is_stated(tmp_path):
     found = Hunted(made("small with friction", 156002017), 156002017, tmp_path)
     least = [e.drive for e in of(found.stroke.extrema, "k_f")]
     assert least == pytest.approx([-0.49306, -0.48614], abs=2e-4)
+
+
+ARC = """
+param phi = 30 deg
+drive phi from -30 deg to 120 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (50 mm, 50 mm)
+link OA
+link QCD
+OA = 50 mm @ phi
+QC = 50 mm
+slot A in QCD about C radius 50 mm
+QD = 50 mm @ perp QC
+assembly ACQ ccw
+friction contact A 0.1
+force F at D along -x
+torque M on OA
+find k = M/F
+"""
+
+
+def test_an_efficiency_jumps_where_drive_and_load_change_places():
+    """The load is square to the velocity of D at 60 deg: k and k_f pass 0, and no slip does."""
+    mechanism = mechc.loads(ARC)
+    (jump,) = of(mechanism.stroke(3).singular, "eta_k")
+    assert jump.drive == pytest.approx(math.pi / 3, abs=1e-9)
+    beside = mechanism.evaluate(phi=[jump.drive + side * 1e-7 for side in (-1, 1)])["eta_k"]
+    assert jump.sides == pytest.approx(tuple(beside), rel=1e-6)
+    assert jump.sides[0] - jump.sides[1] == pytest.approx(0.0024, abs=1e-4)

@@ -4,7 +4,8 @@ Friction turns round where a slip or a pressing force changes its sign. That sho
 signs themselves, be the jump however small, and in the values where something else jumps.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import pairwise, product
 
@@ -51,7 +52,8 @@ def jumps_along(
 ) -> Iterator[Singular]:
     """Yield where results with friction jump; a direction does where the components do.
 
-    They may do so at ``turns``, where friction turns round or a ratio without friction jumps.
+    They may do so at ``turns``, where friction turns round or a ratio without friction jumps; and
+    an efficiency where that is zero or infinite, as drive and load change places there.
     """
     results = [result for result in run.results if has_turns(result)]
     for stretch, result in product(stretches, results):
@@ -83,10 +85,23 @@ def jumping(
     near = 2 * NEAR_JUMP * range_
     others = [x for x in turns if all(abs(x - jump.x) > near for jump in seen)]
     placed = (jump._replace(x=_nearest(turns, jump.x, near)) for jump in seen)
-    for jump in (*placed, *_at_turns(size, others, range_)):
+    for jump in (*placed, *_at_turns(size, _spaced_out(others, near), range_)):
         higher = max(abs(jump.before), abs(jump.after))
         if not is_nothing({jump.x: higher}, result, along, places):
             yield _jumping(result.name, jump, along, range_)
+
+
+def _spaced_out(places: Sequence[float], near: float) -> Iterator[float]:
+    """Yield places in order, those once that are so near each other.
+
+    >>> list(_spaced_out([3.0, 1.0, 1.01, 2.0], 0.1))
+    [1.0, 2.0, 3.0]
+    """
+    before = -math.inf
+    for x in sorted(places):
+        if x - before > near:
+            yield x
+            before = x
 
 
 def _nearest(turns: Sequence[float], x: float, near: float) -> float:
@@ -115,7 +130,7 @@ def _jumping(name: str, jump: Jump, along: Sweep, range_: float) -> Singular:
     return Singular(name, "undetermined", kind, jump.x, jump.bracket, None, sides)
 
 
-def _at_turns(size: RealFunction, turns: Sequence[float], range_: float) -> Iterator[Jump]:
+def _at_turns(size: RealFunction, turns: Iterable[float], range_: float) -> Iterator[Jump]:
     """Yield the turns at which a function jumps by what shows in its figures."""
     for x in turns:
         before, after = (side(size, x, way * NEAR_JUMP * range_) for way in (-1, 1))

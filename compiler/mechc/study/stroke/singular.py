@@ -73,8 +73,8 @@ def singular_along(
         if not is_zero(force, run.along, stretch)
         for pole in _poles_of(force, run, stretch)
     ]
-    jumped = (one.drive for one in found if one.kind == "jump")
-    found += jumps_along(run, stretches, (*turns, *jumped))
+    places = (one.drive for one in found if one.kind == "jump" or one.value != "undetermined")
+    found += jumps_along(run, stretches, (*turns, *places))
     orders = {r.name: partial(order_of, run, r) for r in run.results}
     return distinguished(each_zero_once(found, run), branches, run.range, orders)
 
