@@ -156,3 +156,10 @@ def test_an_efficiency_jumps_where_drive_and_load_change_places():
     beside = mechanism.evaluate(phi=[jump.drive + side * 1e-7 for side in (-1, 1)])["eta_k"]
     assert jump.sides == pytest.approx(tuple(beside), rel=1e-6)
     assert jump.sides[0] - jump.sides[1] == pytest.approx(0.0024, abs=1e-4)
+
+
+def test_a_row_has_0_with_friction_where_that_only_multiplies_a_zero():
+    """At 60 deg, too; what rounding left of k was 0 and what it left of k_f 1.7e-17 m."""
+    stroke = mechc.loads(ARC).stroke(11)
+    row = dict(zip((c.name for c in stroke.columns), stroke.rows[6].values, strict=True))
+    assert (row["k"], row["k_f"], row["k_hold"]) == (0.0, 0.0, 0.0)

@@ -24,13 +24,17 @@ ALL = "all"
 
 
 class Filled(NamedTuple):
-    """A column, its value along the drive, and the formula of that with its definitions."""
+    """A column, its value along the drive, and the formula of that with its definitions.
+
+    ``ideal`` is the column of what one with friction is without it, if there is one.
+    """
 
     column: StrokeColumn
     at: Callable[[float], float]
     formula: Formula | None = None
     where: tuple[Definition, ...] = ()
     has_friction: bool = False
+    ideal: str = ""
 
 
 def named_apart(columns: Iterable[Filled]) -> list[Filled]:

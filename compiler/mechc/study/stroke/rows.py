@@ -58,7 +58,9 @@ def _results(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Fi
         column = StrokeColumn(result.name, result.dimension, unit=unit)
         at = run.values(result.formula, result)
         has_friction = isinstance(result.target, WithFriction | Efficiency)
-        yield Filled(column, at, result.formula, result.where, has_friction)
+        of = getattr(result.target, "of", None)
+        ideal = next((r.name for r in run.results if of is not None and r.target == of), "")
+        yield Filled(column, at, result.formula, result.where, has_friction, ideal)
 
 
 def _slopes(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
@@ -97,8 +99,16 @@ class StrokeSizes:
     def at(self, x: float) -> list[PrintedNumber]:
         """Return the size of each column at one of the poses."""
         alone = cache(partial(self._run.along.rounding_inside, x))
-        known = zip(self._filled, self._rounded, strict=True)
-        return [self._size(f, x, column, alone) for f, column in known]
+        sizes: list[PrintedNumber] = []
+        nil = set[str]()
+        for filled, column in zip(self._filled, self._rounded, strict=True):
+            size = self._size(filled, x, column, alone)
+            if filled.ideal in nil and size.number is not None:
+                size = self._from_both_sides(filled, x)
+            if size.number == 0:
+                nil.add(filled.column.name)
+            sizes.append(size)
+        return sizes
 
     def _size(
         self, filled: Filled, x: float, column: RoundedColumn | None, alone: Callable[[], Rounding]
@@ -116,9 +126,12 @@ class StrokeSizes:
         else:
             size = beyond_rounding(number, formula, where, alone())
         if filled.has_friction and is_on_a_side(size, where, alone()):
-            at = partial(self._beyond_rounding, filled)
-            return from_both_sides(at, partial(_is_pose, self._run), x, self._run.range)
+            return self._from_both_sides(filled, x)
         return size if filled.has_friction else self._across(filled, x, size)
+
+    def _from_both_sides(self, filled: Filled, x: float) -> PrintedNumber:
+        at = partial(self._beyond_rounding, filled)
+        return from_both_sides(at, partial(_is_pose, self._run), x, self._run.range)
 
     def _across(self, filled: Filled, x: float, size: PrintedNumber) -> PrintedNumber:
         """Return the size of a column, where its formula alone is 0/0 that from both sides."""
