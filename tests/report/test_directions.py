@@ -5,11 +5,13 @@ import pytest
 from mechc.driver import Compilation, compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
-from mechc.formula.tree import Call, Symbol, degrees, negative, total
+from mechc.formula.tree import ZERO, Call, Symbol, degrees, negative, total
+from mechc.model.mechanism import Require
 from mechc.model.values import completed, defaults
+from mechc.report.definitions import plus_condition
 from mechc.report.directions import NamedDirection, directions, in_results, named
 from mechc.report.text.derivation import render
-from mechc.source import Source
+from mechc.source import Source, Span
 from small_mechanisms import drawn_six_bar
 
 A, B, C = map(Symbol, "abc")
@@ -57,6 +59,8 @@ def test_results_keep_their_values() -> None:
         (180, total([A, B, negative(C)]), "-sin(d - c)"),
         (180, total([C, negative(A), negative(B)]), "-sin(c - d)"),
         (0, total([A, negative(B)]), "sin(a - b)"),
+        (0, total([negative(A), negative(B)]), "-sin(d)"),
+        (180, total([negative(A), negative(B)]), "sin(d)"),
     ],
 )
 def test_the_sum_stands_by_its_name(turn: int, angle: Symbol, shown: str) -> None:
@@ -72,3 +76,10 @@ def test_the_sum_stands_by_its_name(turn: int, angle: Symbol, shown: str) -> Non
 def test_a_constant_keeps_its_place() -> None:
     formula = Call("cos", (total([C, A, B, degrees(30)]),))
     assert text(named(formula, [NamedDirection("d", (A, B))])) == "cos(c + d + pi/6)"
+
+
+def test_a_condition_has_no_minus_before_it() -> None:
+    turned = plus_condition(Require(negative(A), ">", ZERO, Span(0, 0)))
+    assert (turned.left, turned.operator) == (A, "<")
+    kept = Require(total([B, negative(A)]), ">", ZERO, Span(0, 0))
+    assert plus_condition(kept) == kept

@@ -31,6 +31,7 @@ from ..report.definitions import (
     grouped,
     letters,
     looked_up,
+    plus_condition,
     without_minus,
 )
 from ..report.note import NoteLine, own_lines
@@ -265,7 +266,7 @@ def _of_iterated(
 def _of_conditions(result: Analysis, before: Analysis | None, spell: TextSpeller) -> Iterator[str]:
     held = own_conditions(result)
     if held and not (before and reaction(before) and held == own_conditions(before)):
-        each = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)
+        each = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in map(plus_condition, held))
         holds = ", ".join(map(spell.as_described, each))
         yield f"    {spell.locale.checked['holds'].format(conditions=holds)}"
 

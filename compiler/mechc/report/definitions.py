@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
+from typing import Literal
 
 from ..formula.choices import is_looked_up
 from ..formula.evaluate import equations
@@ -20,8 +21,8 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import substitute, walk
-from ..frozen import frozen
-from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter
+from ..frozen import frozen, replace
+from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Require
 from ..model.result import Definition, Result
 from ..model.values import is_constant, user_defined
 from ..named import NamedTuple
@@ -232,3 +233,21 @@ def whole(zero: Formula) -> Formula:
             return Product(tuple(factors))
         case _:
             return zero
+
+
+_OPPOSITE: Mapping[str, Literal["<", "<=", ">", ">="]] = {
+    "<": ">",
+    ">": "<",
+    "<=": ">=",
+    ">=": "<=",
+}
+"""The signs of conditions of which both sides are negative."""
+
+
+def plus_condition(condition: Require) -> Require:
+    """Return a condition turned round where what is compared with zero has a minus before it."""
+    left = condition.left
+    if condition.right != ZERO or not (isinstance(left, Product) and has_minus(left)):
+        return condition
+    turned = _OPPOSITE.get(condition.operator, condition.operator)
+    return replace(condition, left=negative(left), operator=turned)

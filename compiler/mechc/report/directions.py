@@ -150,7 +150,9 @@ def _in_formula(formula: Formula, chosen: Sequence[NamedDirection]) -> Formula:
 
 
 def _by_name(formula: Formula, direction: NamedDirection) -> Formula | None:
-    """Return a sum with the name of a direction, or a function of one that has half a turn."""
+    """Return a sum with the name of a direction; a function of one that has half a turn, or of
+    its opposite, without these.
+    """
     match formula:
         case Sum() if found := _without(formula, direction):
             others, sign = found
@@ -160,8 +162,18 @@ def _by_name(formula: Formula, direction: NamedDirection) -> Formula | None:
             turns = [term for term in terms if in_degrees(term) in (HALF_TURN, -HALF_TURN)]
             if turns and Symbol(direction.name) in map(_size, terms):
                 rest = total(term for term in terms if term not in turns)
-                return negative(Call(function, (rest,)))
+                return negative(_function_of(function, rest))
+        case Call("sin" | "cos" as function, (angle,)) if _size(angle) == Symbol(direction.name):
+            return _function_of(function, angle)
     return None
+
+
+def _function_of(function: str, angle: Formula) -> Formula:
+    """Return a sine or cosine of an angle, or of what it is the opposite of, as ``−sin φ``."""
+    if isinstance(angle, Sum) or not has_minus(angle):
+        return Call(function, (angle,))
+    size = Call(function, (negative(angle),))
+    return negative(size) if function == "sin" else size
 
 
 def _size(term: Formula) -> Formula:

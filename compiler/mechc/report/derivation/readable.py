@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from functools import cache, partial
-from typing import Literal
 
 from ...algebra.from_formula import to_product
 from ...algebra.intervals import IntervalBox, sign
@@ -21,7 +20,6 @@ from ...formula.operations import count_operations
 from ...formula.rewriting import plus_first, rewritten, without_sign
 from ...formula.tree import (
     ONE,
-    ZERO,
     Call,
     Formula,
     Product,
@@ -43,16 +41,9 @@ from ...pose.given_angles import given_lines
 from ...pose.pose import Pose
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
+from ..definitions import plus_condition
 from ..sentences.order import geometry_first
 from ..steps import Derivation, DerivationStep, Equation, Explanation, LastStep, Paragraph
-
-_OPPOSITE: Mapping[str, Literal["<", "<=", ">", ">="]] = {
-    "<": ">",
-    ">": "<",
-    "<=": ">=",
-    ">=": "<=",
-}
-"""The signs of conditions of which both sides are negative."""
 
 
 def _without_bars(formula: Formula, ranges: Callable[[], IntervalBox]) -> Formula:
@@ -186,12 +177,7 @@ class ReadableFormulas:
 
     def _held(self, condition: Require) -> Require:
         """Return a condition as results are written; what has a minus is turned round."""
-        left = self.of(condition.left)
-        is_turned = isinstance(left, Product) and has_minus(left) and condition.right == ZERO
-        if not is_turned:
-            return replace(condition, left=left)
-        turned = _OPPOSITE.get(condition.operator, condition.operator)
-        return replace(condition, left=negative(left), operator=turned)
+        return plus_condition(replace(condition, left=self.of(condition.left)))
 
     def _defined(self, definition: Definition) -> Formula:
         """Return a definition as results are written; one that loops give is so already."""
