@@ -86,6 +86,13 @@ def loop_does_not_close(at: Span, loop: str, gap: str, brought: Sequence[str]) -
 
         use toggle as T joining T.B = B                  # wrong: T_alpha keeps its value
         use toggle as T joining T.B = B without alpha    # right: the loop gives it
+
+    Points on a guide through another point, or that the halves of a mirror share, lie on one line::
+
+        AB = 40 mm @ alpha
+        BO = 40 mm @ 90 deg          # wrong: A is not on the line along x through O
+        BO = 40 mm @ -alpha          # right
+        mirror across x sharing A O
     """
     hint = "leave a length of the loop open, or correct its values"
     if brought:
