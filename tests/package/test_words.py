@@ -14,7 +14,7 @@ SAID_BEFORE = {
     "mend": "fix", "bond": "joint", "entangled": "coupled", "loosened": "released",
     "shelf": "list", "freedoms": "degrees of freedom", "saying": "sentence",
     "astray": "lagging", "course": "range", "courses": "ranges", "pressed": "loaded",
-    "tell": "state", "tells": "states",
+    "tell": "state", "tells": "states", "nil": "zero",
 }  # fmt: skip
 """Private words, and what books say."""
 

@@ -58,7 +58,7 @@ find k = P/F
 """F passes through O: the rod AB is loaded by the friction at O alone, with either sign."""
 
 
-def test_what_rests_on_a_sign_that_rounding_makes_is_not_nil():
+def test_what_rests_on_a_sign_that_rounding_makes_is_not_zero():
     """The case printed has the sign of the load on AB, 1e-17; all links together have none."""
     results = mechc.loads(THROUGH_THE_PIVOT).results
     beside = mechc.loads(THROUGH_THE_PIVOT.replace("105 deg in", "105.0001 deg in")).results

@@ -122,7 +122,7 @@ def test_a_sum_of_which_one_term_is_left_is_not_its_value_twice():
 def test_the_unit_of_a_sum_that_is_zero_by_its_values_is_that_of_its_terms():
     """a (b cos x + 0.75 a − b), x a quarter turn: rounding alone has no unit."""
     cosine = Call("cos", (Symbol("x"),))
-    nil = total(
+    zero = total(
         [
             product([(B, 1), (cosine, 1)]),
             product([(number(Fraction(3, 4)), 1), (A, 1)]),
@@ -132,7 +132,7 @@ def test_the_unit_of_a_sum_that_is_zero_by_its_values_is_that_of_its_terms():
     quantities = {**KNOWN.quantities, "x": GivenQuantity(math.pi / 2, "deg")}
     known = KNOWN._replace(quantities=quantities)
     for factor, printed in ((A, "40 mm · 0 mm"), (product([(A, 2)]), "(40 mm)² · 0 mm")):
-        formula = product([(factor, 1), (nil, 1)])
+        formula = product([(factor, 1), (zero, 1)])
         left = item("R")._replace(formula=formula, value=GivenQuantity(0.0, "mm^2"), known=known)
         (found,) = by_parts([left], {}, numbers_fit)
         assert found.numbers is not None

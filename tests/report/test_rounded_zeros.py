@@ -61,9 +61,9 @@ def test_zeros_of_sines_and_differences_are_seen(turns):
 
 
 def test_zero_over_zero_is_no_number():
-    nil = Call("cos", (degrees(90),))
+    zero = Call("cos", (degrees(90),))
     assert math.isnan(
-        Rounding({}).of(product([(nil, 1), (Call("sin", (degrees(180),)), -1)])).value
+        Rounding({}).of(product([(zero, 1), (Call("sin", (degrees(180),)), -1)])).value
     )
 
 
@@ -109,9 +109,9 @@ def test_functions_with_poles_are_infinite_there_and_not_zero():
 
 
 def test_a_direction_is_undetermined_of_nothing_and_no_zero_at_half_a_turn():
-    nil = Call("cos", (degrees(90),))
-    assert Rounding({}).of(Call("atan2", (nil, nil))).is_undetermined
-    back = Rounding({}).of(Call("atan2", (nil, number(-1))))
+    zero = Call("cos", (degrees(90),))
+    assert Rounding({}).of(Call("atan2", (zero, zero))).is_undetermined
+    back = Rounding({}).of(Call("atan2", (zero, number(-1))))
     assert not back.is_zero
     assert abs(back.value) == pytest.approx(math.pi)
 

@@ -132,7 +132,7 @@ def test_up_to_a_branch_point_a_result_is_no_greatest_at_the_last_place_looked_a
     assert not stroke.extrema
 
 
-def test_where_a_result_passes_nil_on_its_way_over_a_jump_it_has_no_zero():
+def test_where_a_result_passes_zero_on_its_way_over_a_jump_it_has_no_zero():
     """k is 11.3 mm up to the branch point and -35.3 beyond: 0 for 3e-8 of a radian of rounding."""
     (jump,) = mechc.loads(folding(103002078).text).stroke(3).singular
     assert (jump.value, jump.kind) == ("undetermined", "jump")

@@ -263,7 +263,7 @@ def test_what_an_efficiency_runs_through():
     assert high == math.radians(45)
 
 
-def test_an_efficiency_is_nil_where_nothing_moves():
+def test_an_efficiency_is_zero_where_nothing_moves():
     assert efficiency(SLIDER_CRANK, "eta_k").least == 0
 
 

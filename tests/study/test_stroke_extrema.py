@@ -112,10 +112,10 @@ def test_a_result_may_turn_where_its_formula_is_undetermined(low, high, side, ki
 X = Symbol("x")
 
 
-def over_nil(formula):
+def over_zero(formula):
     """Return the places at which a formula times sin x/sin x is 0/0, on a stroke of 0.6."""
-    nil = Call("sin", (X,))
-    whole = Product((nil, formula, Power(nil, number(-1))))
+    zero = Call("sin", (X,))
+    whole = Product((zero, formula, Power(zero, number(-1))))
 
     def at(x):
         try:
@@ -130,7 +130,7 @@ GRID = [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3]
 
 
 def test_places_at_which_a_formula_alone_is_undetermined_are_left_out():
-    places = over_nil(total([number(2), X]))
+    places = over_zero(total([number(2), X]))
     assert places.is_one(0.0)
     assert not places.is_one(0.1)
     assert places.left_out(GRID) == [x for x in GRID if x]
@@ -139,15 +139,15 @@ def test_places_at_which_a_formula_alone_is_undetermined_are_left_out():
 
 
 def test_beside_such_a_place_a_result_turns_where_it_does_from_both_sides():
-    places = over_nil(total([number(2), product([(total([X, number("-1e-4")]), 2)])]))
+    places = over_zero(total([number(2), product([(total([X, number("-1e-4")]), 2)])]))
     assert places.turning(0.0) == pytest.approx((1e-4, 2.0), abs=1e-9)
     assert places.turning(0.1) is None
 
 
 @pytest.mark.parametrize("function", ["abs", "sign"])
 def test_a_pole_a_kink_or_a_jump_is_no_such_place(function):
-    assert not over_nil(total([number(2), Call(function, (X,))])).is_one(0.0)
-    assert not over_nil(Power(X, number(-1))).is_one(0.0)
+    assert not over_zero(total([number(2), Call(function, (X,))])).is_one(0.0)
+    assert not over_zero(Power(X, number(-1))).is_one(0.0)
 
 
 def test_in_the_row_of_such_a_place_is_the_value_from_both_sides():

@@ -19,7 +19,7 @@ from mechc.study.analysis import Analysis, DeadCentre, Vanishing
 from mechc.syntax import ast
 from reference_geometry import assemble_half, defined
 from reference_kinematics import Motion
-from statements import NEAR, NIL, Values, evaluate, order, poses, roots, with_rest
+from statements import NEAR, ROUNDED_ZERO, Values, evaluate, order, poses, roots, with_rest
 
 STEP = 1e-6
 """How far a parameter is moved for a slope, in radians or as a part of its size."""
@@ -63,7 +63,7 @@ class Slope(NamedTuple):
 
     def allows(self, stated: float) -> bool:
         """Return whether a derivative is that, or not finite."""
-        near = abs(stated - self.slope) <= 1e-5 * (self.size + abs(stated)) + NIL
+        near = abs(stated - self.slope) <= 1e-5 * (self.size + abs(stated)) + ROUNDED_ZERO
         return near or not math.isfinite(stated)
 
 

@@ -41,7 +41,7 @@ BENDS, WITHIN_BENDS = 4, 41
 OUTSIDE = 201
 """Places along a stretch that lies outside the range, or has none."""
 
-NIL = 1e-10
+ROUNDED_ZERO = 1e-10
 """A ratio that is smaller is a zero that was rounded, one above the inverse a pole."""
 
 ASIDE = 1.7e-8
@@ -94,7 +94,7 @@ class Ratios:
         with np.errstate(all="ignore"):
             share = real / k
             largest = np.fmax(np.fmax(np.abs(k), np.abs(real)), np.abs(share))
-            is_dead = (np.abs(k) <= NIL) | (largest >= 1 / NIL)
+            is_dead = (np.abs(k) <= ROUNDED_ZERO) | (largest >= 1 / ROUNDED_ZERO)
             return k, np.where(is_dead, np.nan, share)
 
     def states(self, values: Mapping[str, float | Array]) -> Array:
@@ -173,7 +173,7 @@ def who_drives(ratios: Ratios, result: Analysis) -> Iterator[str]:
         result.driven is not None
         and share > 0
         and (share < 1) != result.driven
-        and abs(share - 1) > NIL
+        and abs(share - 1) > ROUNDED_ZERO
     ):
         yield f"{result.name}: driven is {result.driven}, and friction makes it {share} times k"
 

@@ -33,7 +33,7 @@ NAME = re.compile(
 DIGITS = 2e-5
 """What constants that are printed in six figures may be off."""
 
-NIL = 1e-8
+ROUNDED_ZERO = 1e-8
 """A smaller number may be zero: angles at the end of a loop have half the digits of others."""
 
 ZERO, LEFT_OF_ZERO = 1e-12, 1e-6
@@ -115,8 +115,8 @@ class Page:
                 meant = known.setdefault(left, value)
                 if math.isnan(value) or math.isnan(meant):
                     continue
-                nil = LEFT_OF_ZERO if abs(meant) < ZERO else NIL
-                if not math.isclose(value, meant, rel_tol=DIGITS, abs_tol=nil):
+                zero = LEFT_OF_ZERO if abs(meant) < ZERO else ROUNDED_ZERO
+                if not math.isclose(value, meant, rel_tol=DIGITS, abs_tol=zero):
                     yield f"{left} is {meant}, not {value} = {right}"
 
     def _value(self, tex: str, known: Mapping[str, float]) -> float | None:

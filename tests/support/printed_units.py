@@ -73,7 +73,7 @@ DEGREES, HALF_OF_LAST_DECIMAL = r"^\circ", 0.5e-6
 NOTHING = 1e-12
 """What rounding leaves of a zero, in SI."""
 
-NIL_AT_AN_END = 1e-8
+ZERO_AT_AN_END = 1e-8
 """What it leaves where a loop ends and angles have half the digits of others: 0 is stated."""
 
 
@@ -350,7 +350,7 @@ class PrintedUnits:
         if first == 0 and isinstance(sides[0], Symbol):
             own = self.rounded.get(sides[0].name, 0.0)
         for i, other in known[1:]:
-            least = NIL_AT_AN_END if other == 0 else NOTHING
+            least = ZERO_AT_AN_END if other == 0 else NOTHING
             slack = own + self.slack(relation.parts[i]) + least
             if abs(other - value) > slack + 1e-9 * abs(value):
                 yield f"{relation}: {value} and {other}"
@@ -394,7 +394,7 @@ def extents(tex: str) -> Iterator[tuple[str, str, tuple[str, str]]]:
             yield name, of_value.removesuffix(r"\,\text{}"), (parameter, measured)
 
 
-NIL = 1e-12
+ROUNDED_ZERO = 1e-12
 """What a result may be in SI that is zero, at a place with few digits and where it is usual."""
 
 
@@ -409,7 +409,7 @@ def displaced(tex: str) -> Iterator[str]:
         usual = page.table.values.get(name)
         if usual is None or None in near:
             continue
-        slack = STEEP * abs(usual) + NIL if value == 0 else FLAT * abs(value)
+        slack = STEEP * abs(usual) + ROUNDED_ZERO if value == 0 else FLAT * abs(value)
         if not min(near) - slack <= value <= max(near) + slack:
             yield f"{name} is {near[0]}, not {value}, at {parameter} = {place}"
 

@@ -29,7 +29,7 @@ ULP = 2.0**-52
 POSES = 40
 
 
-NIL = 1e-30
+ROUNDED_ZERO = 1e-30
 """What is smaller is rounding of a zero, in SI: two roundings multiplied are 5e-32.
 
 A load that does no work presses joints by 1e-16 of itself, and friction makes 1e-16 of that.
@@ -168,7 +168,9 @@ def assert_close(found: Outputs, expected: Outputs, ulps: int, routine: Routine)
         assert np.array_equal(np.isnan(found[name]), np.isnan(values)), name
         with np.errstate(invalid="ignore"):
             error = np.abs(found[name] - values)
-            is_off = np.isfinite(values) & (error > ulps * ULP * np.abs(values) + NIL)
+            is_off = np.isfinite(values) & (error > ulps * ULP * np.abs(values) + ROUNDED_ZERO)
             if is_off.any():
-                is_off &= error > ulps * ULP * (np.abs(values) + sensitivity(function)) + NIL
+                is_off &= (
+                    error > ulps * ULP * (np.abs(values) + sensitivity(function)) + ROUNDED_ZERO
+                )
         assert not is_off.any(), (name, found[name][is_off], values[is_off])

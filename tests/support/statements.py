@@ -31,7 +31,7 @@ NEAR = 1e-6
 CLOSE = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3)
 """How near to the ends of a range a result may turn, as parts of it."""
 
-NIL = 1e-10
+ROUNDED_ZERO = 1e-10
 """What is smaller, in SI, is rounding of a zero: equal links lie on one another."""
 
 CODE: dict[int, tuple[Formula, CodeType | None]] = {}
@@ -349,7 +349,7 @@ def missing(mechanism: Mechanism, result: Analysis, seed: int = 0) -> Iterator[s
 def _is_rounding(result: Analysis, curve: Callable[[float], Values], x: float, wide: float) -> bool:
     """Return whether a result is zero on one side of a place, but for rounding."""
     sides = (evaluate(result.formula, curve(x + h * wide)) for h in (-1e-3, 1e-3))
-    return any(abs(side) < NIL for side in sides)
+    return any(abs(side) < ROUNDED_ZERO for side in sides)
 
 
 def sweeps(

@@ -31,7 +31,7 @@ SAME_FIGURES = 1e-6
 
 PLACES = 2001
 
-NIL = 1e-14
+ROUNDED_ZERO = 1e-14
 """What is smaller, in SI, is rounding: a load that works against nothing."""
 
 ROUNDED = 1e-6
@@ -51,8 +51,10 @@ class Curve:
         self.places = np.linspace(stroke.low, stroke.high, PLACES)
         self.cell = self.places[1] - self.places[0]
         found = self.at(self.places)
-        zero_intervals = self.where_nil()
-        self.k = np.where((np.abs(found) < NIL) | (zero_intervals & np.isfinite(found)), 0.0, found)
+        zero_intervals = self.where_zero()
+        self.k = np.where(
+            (np.abs(found) < ROUNDED_ZERO) | (zero_intervals & np.isfinite(found)), 0.0, found
+        )
         finite = np.abs(self.k[np.isfinite(self.k) & ~zero_intervals])
         self.size = float(np.median(finite)) if finite.size else 0.0
         self.singular = [s for s in stroke.singular if s.result == name]
@@ -61,7 +63,7 @@ class Curve:
         self.poles = [s.drive for s in self.singular if s.value != "0"]
         self.jumps = [s for s in self.singular if s.sides]
 
-    def where_nil(self) -> Array:
+    def where_zero(self) -> Array:
         """Return at which places the result is said to be zero throughout, which others refute."""
         parts = [n for n in self.stroke.zero_intervals if n.result == self.name]
         inside = [(self.places >= n.low) & (self.places <= n.high) for n in parts]

@@ -67,6 +67,7 @@ class ForceWithFriction:
     def _formula(
         self, factor: Callable[[FrictionPair], Product], sign: Callable[[Product], Formula]
     ) -> Formula:
+        """Return the force asked for, with the factor and the sign that each friction has."""
         frictions = {
             load_of(p.pair): self._resisting(p, factor(p.pair), sign(p.slip)) for p in self._loaded
         }

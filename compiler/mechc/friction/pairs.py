@@ -108,11 +108,12 @@ def pairs(pose: Pose) -> tuple[FrictionPair, ...]:
     There is none where the coefficient is written as 0, nor on a guide that halves or branches
     share: the side forces on it cancel.
     """
-    found = (pair for given in pose.mechanism.friction.joints for pair in _of(given, pose))
+    found = (pair for given in pose.mechanism.friction.joints for pair in _of_joint(given, pose))
     return tuple(pair._replace(number=_number(pair.joint, pose)) for pair in found if pair.factor)
 
 
-def _of(given: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
+def _of_joint(given: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
+    """Yield the pairs of one joint with friction, with slip and what presses them."""
     match given:
         case PinFriction():
             yield from _pin(given, pose)

@@ -208,10 +208,10 @@ def is_zero_everywhere(formula: Formula, where: Iterable[tuple[str, Formula]], p
         return True
     loads = {load.name: 1.0 for load in pose.mechanism.loads}
     given, chain = {**loads, **_given(pose)}, (*_chain(pose).definitions, *where)
-    return all(_is_nil_at(formula, chain, given, ratio) for ratio in (1.0, *OTHER_POWERS))
+    return all(_is_zero_at(formula, chain, given, ratio) for ratio in (1.0, *OTHER_POWERS))
 
 
-def _is_nil_at(
+def _is_zero_at(
     formula: Formula,
     where: Iterable[tuple[str, Formula]],
     given: Mapping[str, float],

@@ -94,6 +94,7 @@ def _position(
 def _results(
     derivation: "Derivation", mechanism: Mechanism, earlier: "ShownNames", known: NameLetters
 ) -> Iterator[Section]:
+    """Yield the sections of results, each with what was not stated in an earlier one."""
     lines = own_lines(mechanism, derivation.results)
     for explanation, results in _grouped(derivation, _found(derivation, mechanism)):
         earlier.equations(explanation)

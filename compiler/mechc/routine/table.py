@@ -156,6 +156,7 @@ class EntryTable:
         return self._lower_one(formula, tuple(map(self.lower, children(formula))))
 
     def _lower_one(self, node: Formula, arguments: tuple[int, ...]) -> int:
+        """Return the index of a part's entry, its arguments being entered already."""
         match node:
             case Constant(name, _):
                 return self._add(Leaf(Symbol(name)), Symbol(name))

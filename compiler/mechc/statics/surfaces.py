@@ -51,10 +51,11 @@ class FrictionSurfaces:
 def pairs_of(unfolding: Unfolding) -> Iterator[FrictionSurfaces]:
     """Yield the pairs of surfaces that have friction."""
     for given in unfolding.pose.mechanism.friction.joints:
-        yield from _of(given, unfolding)
+        yield from _of_joint(given, unfolding)
 
 
-def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[FrictionSurfaces]:
+def _of_joint(given: JointFriction, unfolding: Unfolding) -> Iterator[FrictionSurfaces]:
+    """Yield the pairs of surfaces of one joint with friction."""
     match given:
         case PinFriction():
             yield from _on_pin(given, unfolding)

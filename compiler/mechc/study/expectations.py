@@ -184,6 +184,7 @@ def _proved(value: Formula, result: Result, mechanism: Mechanism) -> bool:
 def _compare_formula(
     expect: Expect, result: Result, mechanism: Mechanism, definitions: Sequence[Definition]
 ) -> Finding:
+    """Return how a result compares with the formula expected, at the default pose and others."""
     finding = Finding(expect, "undecided", poses=0)
     drawn = (default_pose(mechanism), *random_poses(mechanism, ASSEMBLED_DRAWS))
     everything = (

@@ -84,6 +84,7 @@ def _concluded(
     study: "Callable[[], ratios.Study]",
     part: Allowance,
 ) -> Analysis:
+    """Return a result with what is known of it: zeros, poles, breaks, trends."""
     balance, values = solution.balance, numbers.values
     if isinstance(item, SolvedWithFriction) or item.value is None:
         with within_part(part):

@@ -213,6 +213,7 @@ def _remarks(
     result: str,
     names: Mapping[str, str],
 ) -> list[str]:
+    """Return the lines of the comment above a function."""
     unit = si_unit(function.dimension)
     inputs = [f"  {own[i.name]}: {describe.input_words(i, own[i.name])}" for i in function.inputs]
     conditions = [f"  {line}" for line in describe.condition_lines(function)]

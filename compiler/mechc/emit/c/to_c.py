@@ -141,6 +141,7 @@ def _file(name: str, text: str, real: Real) -> Emitted:
 
 
 def _source(parts: Parts, preface: list[str], header: str, real: Real, threads: bool) -> str:
+    """Return the text of the source file, with those helpers alone that it calls."""
     code = render("c/functions.jinja", CodeContext(*parts, newton, real))
     if threads:
         code = parallel.in_threads(code)
@@ -193,6 +194,7 @@ def linked_names(routine: Routine, space: TargetNames) -> dict[str, Symbols]:
 
 
 def _parts(compiled: Compiled, slopes: bool) -> Parts:
+    """Return the functions of all files, for one header and one source."""
     routine, space = compiled.routine, TargetNames(LINKED)
     written, listed = programs(routine), list(every(routine.functions))
     linked = linked_names(routine, space)

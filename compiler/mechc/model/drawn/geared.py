@@ -98,7 +98,7 @@ def _led(
 ) -> tuple[Tied, Formula] | None:
     """Return the one motion of a tie that is not known, and what it is."""
     unknown = [term for term in tie if term.body not in motions]
-    if len(unknown) != 1 or _is_nil(unknown[0].factor, values):
+    if len(unknown) != 1 or _is_zero(unknown[0].factor, values):
         return None
     (led,) = unknown
     others = ((t.factor, motions[t.body]) for t in tie if t is not led)
@@ -109,7 +109,7 @@ def _led(
     return led, total(parts)
 
 
-def _is_nil(factor: Formula, values: Values) -> bool:
+def _is_zero(factor: Formula, values: Values) -> bool:
     """Return whether a motion does not count: an arm's, where inner wheels are alike."""
     if not symbols(factor) <= values.keys():
         return False

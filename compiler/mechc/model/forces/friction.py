@@ -136,6 +136,7 @@ def _times(load: Load) -> Fraction:
 def _read(
     statement: ast.Statement, file: ast.File, pins: Pins, built: Mechanism, scope: NameScope
 ) -> Iterator[JointFriction]:
+    """Yield the friction that a statement gives to joints, none of a statement of other kinds."""
     match statement:
         case ast.PinFriction():
             yield from pins.read(statement)

@@ -112,6 +112,7 @@ def _needs(statement: DefiningStatement, known: Mapping[str, DefiningStatement])
 
 
 def _let(statement: ast.Let, found: MeasuredFormula, scope: NameScope) -> Let | None:
+    """Return a definition, its name in the scope from now on; None where an error was reported."""
     name = statement.name.text
     entry = scope.entries[name]
     if isinstance(statement, ast.Given) and not found.sort.fits(statement.measures):

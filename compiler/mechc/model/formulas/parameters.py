@@ -250,6 +250,7 @@ def _note_value(parameter: Parameter, statement: ast.Param, scope: NameScope) ->
 
 
 def _check_range(parameter: Parameter, statement: ast.Param, scope: NameScope) -> None:
+    """Note a range in the scope; report one that is none, or that the value lies outside of."""
     if parameter.range is None or statement.low is None or statement.high is None:
         return
     edge = statement.low.span.to(statement.high.span)

@@ -156,6 +156,7 @@ def _value(quantity: MeasuredFormula) -> float:
 def looked_up(
     lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: NameScope
 ) -> ConditionalFormula | None:
+    """Return the value of a table at an argument, on the condition that it reaches so far."""
     name = lookup.table.text
     if not _known(lookup.table, tables.tables, "table", scope):
         return None

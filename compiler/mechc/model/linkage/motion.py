@@ -50,6 +50,7 @@ def read_drives(file: ast.File, scope: NameScope) -> list[Drive]:
 
 
 def _drive(statement: ast.Drive, file: ast.File, scope: NameScope) -> Drive | None:
+    """Return the drive that a statement declares; None where an error was reported."""
     ends = _link_ends(statement.name, scope)
     name = _of_a_link(statement.name, file, scope) if ends else statement.name
     entry = scope.entries.get(name.text)

@@ -215,6 +215,7 @@ class _GroupClosing:
         return any(self._close(*pair, within) for pair in (*turning, *pairs))
 
     def _close(self, wanted: NameSet, cycle: Cycle, within: NameSet | None) -> bool:
+        """Close a cycle for the unknowns wanted; False where it does not give them."""
         if len(wanted) == 1:
             return self._fit(next(iter(wanted)), cycle)
         state = self._state

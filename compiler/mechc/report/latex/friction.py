@@ -68,6 +68,7 @@ def _pins(friction: Friction, locale: Locale, style: LatexNotation) -> Iterator[
 
 
 def _joint(joint: JointFriction, locale: Locale, style: LatexNotation) -> Iterator[str]:
+    """Yield the sentence of one joint's friction; that of pins stands elsewhere."""
     point = math(points(joint.point))
     match joint:
         case PinFriction():

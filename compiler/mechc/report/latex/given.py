@@ -130,6 +130,7 @@ def _vector_row(
     locale: Locale,
     style: LatexNotation,
 ) -> VectorRow:
+    """Return the row of the table of vectors for one line of the geometry."""
     match entry:
         case Arrow(tail, head, _, line):
             along = math(direction(line, style)) if line else ""
@@ -256,6 +257,7 @@ def _end(point: str, link: str, links: Set[str], locale: Locale) -> str:
 
 
 def _load(load: Load, links: Set[str], locale: Locale, style: LatexNotation) -> str:
+    """Return the sentence of a load, with what it is tied to."""
     symbol = latex(product([(number(load.times), 1), (Symbol(load.name), 1)]), style)
     tie = _tie(load, locale, style) if load.tie else ""
     match load:

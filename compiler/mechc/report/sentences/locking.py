@@ -30,7 +30,7 @@ DIGITS, MOST = 4, 10
 Two are enough for an efficiency.
 """
 
-NIL = 1e-7
+ROUNDED_ZERO = 1e-7
 """An angle in radians that is nothing but rounding, next to a pose in which all sides lie flat."""
 
 
@@ -210,7 +210,7 @@ def _figure(at: float, reach: LockingIntervals, locale: Locale, spell: Speller) 
 def rounded_value(at: float, reach: FoundAlong, spell: Speller, digits: int = DIGITS) -> Formula:
     """Return a value with few digits, an angle in degrees, of which rounding alone makes none."""
     if reach.parameter in spell.angles:
-        return degrees(Fraction(f"{math.degrees(at):.{digits}g}") if abs(at) > NIL else 0)
+        return degrees(Fraction(f"{math.degrees(at):.{digits}g}") if abs(at) > ROUNDED_ZERO else 0)
     return number(Fraction(f"{at / size_of(reach.unit):.{digits}g}"))
 
 

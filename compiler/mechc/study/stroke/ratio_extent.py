@@ -50,6 +50,7 @@ def _is_ratio(result: Analysis) -> bool:
 def _extents(
     stroke: Stroke, results: Sequence[Analysis], solution: FrictionSolution
 ) -> Iterator[tuple[str, Extent]]:
+    """Yield each result with its extent on the part of the stroke that has the default pose."""
     part = _home(stroke)
     ends = range_of(stroke.drive, solution.plan.graph.pose.mechanism) or ()
     along = Sweep(PoseCode(solution.plan), stroke.drive, ends)
@@ -109,6 +110,7 @@ def _bare(
 
 
 def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Sweep) -> Extent:
+    """Return the extent of a ratio on a part of the stroke."""
     own = [s for s in stroke.singular if s.result == result.name and _is_on(s.drive, part)]
     zeros, poles = (tuple(s.drive for s in own if s.value == value) for value in ("0", "infinite"))
     is_open = any(s.value == "undetermined" for s in own) or any(

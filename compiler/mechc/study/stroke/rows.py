@@ -100,19 +100,20 @@ class StrokeSizes:
         """Return the size of each column at one of the poses."""
         alone = cache(partial(self._run.along.rounding_inside, x))
         sizes: list[PrintedNumber] = []
-        nil = set[str]()
+        zeros = set[str]()
         for filled, column in zip(self._filled, self._rounded, strict=True):
-            size = self._size(filled, x, column, alone)
-            if filled.ideal in nil and size.number is not None:
+            size = self._printed(filled, x, column, alone)
+            if filled.ideal in zeros and size.number is not None:
                 size = self._from_both_sides(filled, x)
             if size.number == 0:
-                nil.add(filled.column.name)
+                zeros.add(filled.column.name)
             sizes.append(size)
         return sizes
 
-    def _size(
+    def _printed(
         self, filled: Filled, x: float, column: RoundedColumn | None, alone: Callable[[], Rounding]
     ) -> PrintedNumber:
+        """Return a value of a column as it is printed: rounding left out, limits put in."""
         number, formula, where = filled.at(x), filled.formula, filled.where
         if filled.has_friction and len(self._run.along.sides(filled.at, where, x)) > 1:
             return PrintedNumber(None, undetermined=True)
