@@ -10,7 +10,7 @@ import pytest
 
 import free_bodies_shown
 import hunt
-from conclusions import slopes
+from conclusions import is_rough, slopes
 from hunt import Outcome, looked_at, outcome, summary
 from hunted import KINDS, Hunted, Made, made
 from mechc.driver import Compilation
@@ -36,6 +36,20 @@ force P at B along x
 force F at K along -y
 find k = P/F
 """
+
+
+@pytest.mark.parametrize(
+    ("function", "rough"),
+    [
+        (lambda x: 3 + 2 * x, False),
+        (lambda x: 1 / x, True),
+        (abs, True),
+        (lambda x: math.copysign(1, x) + x, True),
+        (lambda x: 1 / (x + 1.5), True),
+    ],
+)
+def test_no_slope_is_known_over_a_pole_a_kink_or_a_jump(function, rough):
+    assert is_rough([function(x) for x in (-2, -1, 1, 2)]) is rough
 
 
 def hunted(folder: Path, text: str = RISING) -> Hunted:

@@ -77,7 +77,7 @@ def _slope(
     places = ({**free, name: free[name] + i * step} for i in RULE)
     found = [statements.value(mechanism, result, values) for values in places]
     slope = sum(w * k for w, k in zip(WEIGHTS, found, strict=True)) / step
-    if not math.isfinite(slope) or _is_rough(found):
+    if not math.isfinite(slope) or is_rough(found):
         return None
     return Slope(slope, max(map(abs, found)) / size)
 
@@ -98,10 +98,11 @@ RULE, WEIGHTS = (-2, -1, 1, 2), (1 / 12, -2 / 3, 2 / 3, -1 / 12)
 """Places and weights of a difference quotient of fourth order."""
 
 
-def _is_rough(found: list[float]) -> bool:
-    """Return whether a curve bends within the steps: a pole or a kink is near."""
-    steps = np.diff(found)[[0, 2]]
-    return bool(abs(steps[0] - steps[1]) > 1e-3 * np.abs(steps).max())
+def is_rough(found: list[float]) -> bool:
+    """Return whether a curve bends within the steps: a pole or a kink is near, or in the middle."""
+    before, across, after = np.diff(found)
+    bent = max(abs(before - after), abs(across - before - after))
+    return bool(bent > 1e-3 * max(abs(before), abs(after)))
 
 
 # ----------------------------------------------------------- dead centres, by velocities
