@@ -17,10 +17,13 @@ from force_samples import (
     sizes_of,
 )
 from gripping_brake import gripping_brake
+from mechc.driver import Compilation, compile_source
 from mechc.formula.evaluate import evaluate
+from mechc.formula.to_text import text
 from mechc.formula.tree import is_call
 from mechc.formula.walk import walk
 from mechc.model.mechanism import ForcePair
+from mechc.source import Source
 from reference_forces import Forces
 from small_mechanisms import toggle
 from sources import in_thirds
@@ -379,3 +382,26 @@ def test_a_force_that_is_zero_in_every_pose_has_no_direction_in_code():
     lever = mechc.loads(source.replace("force P at A along phi", ""))
     assert lever.evaluate()["R_O"] == 0
     assert math.isnan(lever.evaluate()["R_O_direction"])
+
+
+def test_forces_at_joints_have_the_sine_that_the_load_has():
+    """It is that of the angle between cylinder and boom, positive: R_O_x had the opposite one."""
+    source = """
+    mechanism loader
+    pivot O at (0 mm, 0 mm)
+    pivot Q at (300 mm, -450 mm)
+    link OAB
+    telescope QA
+    A at (900 mm, -150 mm)
+    B at (2200 mm, -300 mm)
+    drive OA from -20 deg to 40 deg
+    actuator P between Q and A
+    weight W mass 1200 kg at B
+    find P
+    find R_O
+    """
+    found = compile_source(Source("loader.mech", source))
+    assert isinstance(found, Compilation)
+    shown = [text(result.formula) for result in found.results[:3]]
+    assert all("sin(phi_QA - phi_OA)" in formula for formula in shown)
+    assert shown[1].startswith("-")

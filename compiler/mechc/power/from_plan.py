@@ -1,14 +1,18 @@
 """Virtual power: from the plan to what was asked for."""
 
+from collections.abc import Iterable
 from typing import assert_never
 
 from ..diagnostics import Report
+from ..formula.differences import positive_sines, terms_as_in
+from ..formula.tree import Formula
 from ..frozen import replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import (
     Axial,
     Efficiency,
     Find,
+    ForceAtJoint,
     LoadForm,
     LoadRatio,
     Normal,
@@ -32,7 +36,7 @@ def balance(plan: Plan, report: Report) -> Balance:
     """
     problem = problem_of(plan, report)
     answers = [_answer(problem, find) for find in problem.mechanism.finds]
-    solved = tuple(answer for answer in answers if answer is not None)
+    solved = _with_sines_alike(problem, [answer for answer in answers if answer is not None])
     terms, equations, driving = problem.terms, problem.equations, problem.driving
     balanced = Balance(plan, terms, equations, driving, solved, problem.reading.plan)
     report.stop_on_errors()
@@ -40,6 +44,21 @@ def balance(plan: Plan, report: Report) -> Balance:
     if not problem.mechanism.friction.joints:
         warn_of_idle_loads(balanced, balanced.results, report)
     return replace(balanced, solved=checked(balanced, problem.numbers, report))
+
+
+def _with_sines_alike(
+    problem: PowerProblem, answers: Iterable[AlgebraicResult]
+) -> tuple[AlgebraicResult, ...]:
+    """Return answers; forces at joints have sines of differences the way round of those before."""
+    alike: list[AlgebraicResult] = []
+    known: list[Formula] = []
+    for answer in answers:
+        result = answer.result
+        if known and isinstance(result.target, ForceAtJoint):
+            result = replace(result, formula=terms_as_in(result.formula, *known))
+        known += positive_sines([result.formula], lambda: problem.numbers.values)
+        alike.append(answer if result is answer.result else replace(answer, result=result))
+    return tuple(alike)
 
 
 def _answer(problem: PowerProblem, find: Find) -> AlgebraicResult | None:
