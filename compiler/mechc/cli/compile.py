@@ -146,7 +146,13 @@ def command(
     compilation = checked(opened(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
     options = Options(
-        *("", fragment, language, numbers, brief, pictures, gradient),
+        stem="",
+        fragment=fragment,
+        language=language,
+        numbers=numbers,
+        brief=brief,
+        pictures=pictures,
+        gradient=gradient,
         c_real=c_real,
         c_openmp=c_openmp,
         by=method,

@@ -37,6 +37,7 @@ def outputs(paths: tuple[str, ...], target: str | None) -> list[OutputPath]:
 
 
 def _output(path: str, target: str | None) -> OutputPath:
+    """Return where a text goes, and its format: the one asked for, or that of the suffix."""
     if path == "-":
         return OutputPath(target or _choose("standard output has no suffix"), None)
     if path.endswith("/") or Path(path).is_dir():

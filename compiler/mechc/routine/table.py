@@ -198,6 +198,7 @@ class EntryTable:
                 return EntryFactors(Fraction(1), (index,), ())
 
     def _product(self, factors: Iterable[EntryFactors]) -> int:
+        """Return the index of a product's entry; plain factors on both sides of the line cancel."""
         coefficient, above, below = Fraction(1), list[int](), list[int]()
         for factor in factors:
             coefficient *= factor.coefficient

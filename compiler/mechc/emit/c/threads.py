@@ -26,6 +26,7 @@ def in_threads(code: str) -> str:
 
 
 def _in_parts(found: re.Match[str], names: Container[str]) -> str:
+    """Return a form for many poses as one for a part, and the form that calls it for each."""
     name, heads, number = found.group(1, 2, 3)
     _, *arrays = [_LAST_NAME.findall(head)[0] for head in heads.split(",")]
     own, part, start = (_free(n, names) for n in (f"{name}_part", "mechc_part", "mechc_start"))

@@ -152,6 +152,7 @@ def _number(node: ast.Number) -> Formula:
 
 
 def _choice(choice: ast.Choice) -> Formula:
+    """Return a choice as it is written, one in an ``else`` as its last value."""
     parts: list[Formula] = []
     for branch in choice.branches:
         links = [link for condition in branch.conditions for link in _links(condition)]

@@ -25,7 +25,7 @@ def power_remarks(
     terms = derivation.terms if count else ()
     powers = [power for balance in derivation.balances for power in _addends(balance.left)]
     said = (
-        *_factors(terms, mechanism, locale, spell),
+        *_loads_of_equal_parts(terms, mechanism, locale, spell),
         *_projections(terms, powers, mechanism, locale, spell),
     )
     return " ".join(said)
@@ -89,7 +89,7 @@ def _size(speed: Formula) -> Formula:
     return negative(speed) if has_minus(speed) else speed
 
 
-def _factors(
+def _loads_of_equal_parts(
     terms: Sequence[PowerTerm], mechanism: Mechanism, locale: Locale, spell: Speller
 ) -> Iterator[str]:
     """Yield why loads are counted more than once: they act in several equal parts."""
