@@ -86,13 +86,6 @@ def loop_does_not_close(at: Span, loop: str, gap: str, brought: Sequence[str]) -
 
         use toggle as T joining T.B = B                  # wrong: T_alpha keeps its value
         use toggle as T joining T.B = B without alpha    # right: the loop gives it
-
-    Points on a guide through another point, or that the halves of a mirror share, lie on one line::
-
-        AB = 40 mm @ alpha
-        BO = 40 mm @ 90 deg          # wrong: A is not on the line along x through O
-        BO = 40 mm @ -alpha          # right
-        mirror across x sharing A O
     """
     hint = "leave a length of the loop open, or correct its values"
     if brought:
@@ -224,6 +217,26 @@ def gears_apart(at: Span, pivots: str, apart: float, wanted: float, meant: str) 
         f"the gears on {pivots} are {apart * 1000:.7g} mm apart, "
         f"their radii make {wanted * 1000:.7g} mm",
         OF_GEARS[meant],
+    )
+
+
+@coded("W305")
+def halves_apart(at: Span, points: str, gap: float) -> Message:
+    """Points that both halves of a mirror share are not on one line across it.
+
+    Velocities and forces follow from the directions alone, so that formulas stand; the values
+    given are those of no pose, and there is no picture of it::
+
+        AB = 40 mm @ alpha
+        BO = 40 mm @ 90 deg          # warned of: O is off the line along x through A
+        BO = 40 mm @ -alpha          # right
+        mirror across x sharing A O
+    """
+    return Message(
+        at,
+        f"{points}, which both halves share, are not on one line across the mirror: the gap is "
+        f"{gap * 1000:.4g} mm at the values given",
+        "correct the values, or leave a length between them open",
     )
 
 

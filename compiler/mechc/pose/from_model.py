@@ -170,8 +170,7 @@ def _check_loops(pose: Pose, read: _PoseReading, unfound: Set[str]) -> None:
     closure = ClosingEquations(pose.placeholders, defined, given, mechanism.brought_angles)
     poses = cache(partial(poses_nearby, mechanism, pose.definitions))
     slots = on_the_line([t for t in pose.contacts if t.kind == "slot"], vectors)
-    on_lines = (*_guide_lines(pose, vectors), *_mirror_line(pose, vectors), *slots)
-    for condition in (*_loops(vectors), *on_lines):
+    for condition in (*_loops(vectors), *_guide_lines(pose, vectors), *slots):
         if unfound & mentioned(condition.arms):
             continue
         if fault := closure.check(condition, poses):
@@ -196,15 +195,3 @@ def _guide_lines(pose: Pose, vectors: Vectors) -> Iterator[ClosureCondition]:
         if chain:
             normal = across(pose.guides[slider.point])
             yield ClosureCondition(chained(chain), vectors.arms(chain), (normal,), slider.span)
-
-
-def _mirror_line(pose: Pose, vectors: Vectors) -> Iterator[ClosureCondition]:
-    """Yield the condition of every point that is said to be on the mirror line with another one."""
-    mirror, axis = pose.mechanism.mirror, pose.axis
-    if mirror is None or axis is None:
-        return
-    for point in mirror.sharing[1:]:
-        chain = vectors.chain(mirror.sharing[0], point)
-        if chain:
-            arms = vectors.arms(chain)
-            yield ClosureCondition(chained(chain), arms, (across(axis),), mirror.span)

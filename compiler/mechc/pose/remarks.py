@@ -28,11 +28,11 @@ from .vectors import Vectors
 
 
 def remark_on_drawing(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> None:
-    """Remark on what the drawing breaks: places, centre distances.
+    """Remark on what the drawing breaks: places, centre distances, the line of a mirror.
 
     E318 reports an assembly that it refutes; W301 remarks on others that decide nothing.
     """
-    if not (closed.idle or pose.mechanism.drawn or pose.radii):
+    if not (closed.idle or pose.mechanism.drawn or pose.radii or pose.mechanism.mirror):
         return
     default = default_pose(pose.mechanism, pose.definitions)
     for assembly in closed.idle:
@@ -42,6 +42,8 @@ def remark_on_drawing(pose: Pose, vectors: Vectors, closed: Closed, report: Repo
         report.add(fault)
     for misfit in _misfits(pose, vectors, default):
         report.add(messages.gears_apart(*misfit))
+    for remark in _off_the_mirror_line(pose, vectors, default):
+        report.add(remark)
 
 
 def remark_on_conditions(pose: Pose, closed: Closed, report: Report) -> None:
@@ -128,6 +130,23 @@ def _misfits(pose: Pose, vectors: Vectors, values: Values) -> Iterator[_Misfit]:
 
 def _near(apart: float, wanted: float) -> bool:
     return abs(apart - wanted) <= CENTRE_GAP * apart
+
+
+def _off_the_mirror_line(pose: Pose, vectors: Vectors, values: Values) -> Iterator[Diagnostic]:
+    """Yield W305 for each point that is not on the mirror line with the first one."""
+    mirror, axis = pose.mechanism.mirror, pose.axis
+    if mirror is None or axis is None:
+        return
+    first, *others = mirror.sharing or ("",)
+    for point in others:
+        way = vectors.path(first, point)
+        used = set(mentioned(way)) | dict(axis.terms).keys() if way else set()
+        if not way or vectors.is_open(way) or not used <= values.keys():
+            continue
+        (x, y), across = evaluate_vector(way, values), axis.evaluate(values)
+        gap = abs(y * math.cos(across) - x * math.sin(across))
+        if gap > CENTRE_GAP * max(abs(arm.length.evaluate(values)) for arm in way):
+            yield messages.halves_apart(mirror.span, f"{first} and {point}", gap)
 
 
 def moved_from_drawing(pose: Pose, report: Report) -> Pose:
