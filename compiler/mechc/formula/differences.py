@@ -253,7 +253,8 @@ def _sines_turned(formula: Formula, at: SharedEvaluation) -> Formula:
         case Sum(terms):
             return _terms_turned(terms, at) or whole
         case Power(base, Number(value) as exponent) if value.denominator == 1 and not value % 2:
-            return Power(negative(base), exponent) if has_minus(base) else whole
+            base = negative(base) if has_minus(base) else base
+            return Power(_sine_turned(base, at) or base, exponent)
         case Call("abs", (inner,)) if turned := _sine_turned(inner, at):
             return Call("abs", (turned,))
         case _:
