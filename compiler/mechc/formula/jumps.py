@@ -75,8 +75,8 @@ def _narrowed(function: RealFunction, a: float, b: float, range_: float) -> Jump
             a, before = middle, value
         else:
             b, after = middle, value
-    beside = NEAR_JUMP * range_
-    return Jump((a + b) / 2, b - a, side(function, a, -beside), side(function, b, beside))
+    near = NEAR_JUMP * range_
+    return Jump((a + b) / 2, b - a, side(function, a, -near), side(function, b, near))
 
 
 def side(function: RealFunction, x: float, away: float) -> float:

@@ -132,6 +132,7 @@ def _is_opposite(angle: Formula, function: str) -> bool:
 
 
 def opposite_angle(angle: Formula) -> Formula:
+    """Return an angle of the other sign, its terms in reading order."""
     if isinstance(angle, Sum):
         return total(in_reading_order(map(negative, angle.terms)))
     return negative(angle)

@@ -137,8 +137,8 @@ def _off_the_mirror_line(pose: Pose, vectors: Vectors, values: Values) -> Iterat
     mirror, axis = pose.mechanism.mirror, pose.axis
     if mirror is None or axis is None:
         return
-    first, *others = mirror.sharing or ("",)
-    for point in others:
+    for point in mirror.sharing[1:]:
+        first = mirror.sharing[0]
         way = vectors.path(first, point)
         used = set(mentioned(way)) | dict(axis.terms).keys() if way else set()
         if not way or vectors.is_open(way) or not used <= values.keys():

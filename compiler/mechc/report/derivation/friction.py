@@ -223,8 +223,7 @@ def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragr
 
 def _loads(target: WithFriction, steps: Sequence[FrictionStep], pose: Pose) -> Iterator[Paragraph]:
     """Yield what the loads are that have a name of their own with friction, and no result."""
-    met = {name for step in steps for pair in step.equations for s in pair for name in symbols(s)}
-    met -= {find.name for find in pose.mechanism.finds}
+    met = _met(steps) - {find.name for find in pose.mechanism.finds}
     for load in pose.mechanism.loads:
         whole = load.name + ending(target)
         if whole in met:
@@ -235,8 +234,7 @@ def _loads(target: WithFriction, steps: Sequence[FrictionStep], pose: Pose) -> I
 def _unit(asked: LoadRatio, steps: Sequence[FrictionStep], result: str) -> Paragraph:
     """Return the paragraph on the unit of forces, and on the driving load if it is met then."""
     names, drive = {"load": (asked.below,)}, Symbol(asked.above)
-    met = {name for step in steps for pair in step.equations for s in pair for name in symbols(s)}
-    if drive.name not in met:
+    if drive.name not in _met(steps):
         return Paragraph(SentenceKind.UNIT, names=names)
     formulas = {"drive": drive, "ratio": Symbol(result)}
     return Paragraph(SentenceKind.UNIT_AND_DRIVE, names=names, formulas=formulas)
@@ -251,8 +249,7 @@ def _how(steps: Sequence[FrictionStep], pose: Pose) -> Iterator[Paragraph]:
         yield Paragraph(SentenceKind.PIN_FRICTION, formulas={"radius": circle})
     if any(map(_has_friction_along, steps)):
         yield Paragraph(SentenceKind.GUIDE_FRICTION)
-    sides = (side for step in steps for pair in step.equations for side in pair)
-    used = frozenset[str]().union(*map(symbols, sides))
+    used = _met(steps)
     if any(f"S_{link.name}" in used for link in mechanism.links):
         yield Paragraph(SentenceKind.ROD_FORCES, formulas={"force": Symbol("S")})
     turned = {step.body for step in steps if step.kind == "face"}
@@ -263,6 +260,12 @@ def _how(steps: Sequence[FrictionStep], pose: Pose) -> Iterator[Paragraph]:
             yield Paragraph(SentenceKind.FORCE_OF_TOUCH, names=names, formulas={"force": force})
     if mechanism.symmetries:
         yield Paragraph(SentenceKind.PART)
+
+
+def _met(steps: Iterable[FrictionStep]) -> frozenset[str]:
+    """Return the names in the equations of steps."""
+    sides = (side for step in steps for pair in step.equations for side in pair)
+    return symbols(*sides)
 
 
 def _has_friction_along(step: FrictionStep) -> bool:
