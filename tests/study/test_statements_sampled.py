@@ -221,6 +221,33 @@ def test_conclusions_that_are_false_are_refuted():
     assert list(followed(tree, mechanism, replace(k, poles=tuple(across))))
 
 
+def test_what_stands_still_where_a_zero_meets_a_pole_is_left_to_the_values():
+    """At alpha = 90 degrees k is 0 for every beta, and 0/0 where it is infinite for other alphas."""
+    text = """
+param a = 50 mm
+param alpha = 90 deg
+param beta = 45 deg
+pivot A
+link AB
+AB = 2*a @ 90 deg
+pivot C
+link CDE
+slot B in CDE about D radius a
+DB = @ alpha
+CD = a @ alpha + beta
+CE = a @ alpha + beta
+slider G along 60 deg
+link EG
+EG = a @ 135 deg + beta
+force P at B along perp AB
+force F at G along 60 deg
+find k = P/F
+"""
+    mechanism, (k,) = results(text)
+    assert k.poles
+    assert list(followed(tree_of(text), mechanism, k)) == []
+
+
 def test_what_does_not_turn_and_what_is_not_infinite_is_refuted():
     mechanism, (k,) = results(POLE.replace("100 deg", "89 deg"))
     assert list(refuted(mechanism, replace(k, trends={"alpha": "turns"})))

@@ -109,13 +109,18 @@ def is_rough(found: list[float]) -> bool:
 
 
 def centres(tree: ast.File, mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str]:
-    """Yield the dead centres at which what is said to stand still moves, and the other way."""
+    """Yield the dead centres at which what is said to stand still moves, and the other way.
+
+    Where a zero of k meets a pole, the other parameters' values decide what stands still: it is 0/0.
+    """
     assert isinstance(result.target, LoadRatio)
     below, above = result.target.below, result.target.above
-    for limits, still, moving in ((result.zeros, below, above), (result.poles, above, below)):
+    zeros, poles = result.zeros, result.poles
+    for limits, others, names in ((zeros, poles, (below, above)), (poles, zeros, (above, below))):
         for limit in limits:
             if limit.at is not None and limit.cause != "other":
-                yield from _centre(tree, mechanism, limit, (still, moving), pose)
+                against = limit.but + tuple(other.factor for other in others)
+                yield from _centre(tree, mechanism, limit._replace(but=against), names, pose)
 
 
 def _centre(
