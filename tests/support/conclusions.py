@@ -111,7 +111,7 @@ def is_rough(found: list[float]) -> bool:
 def centres(tree: ast.File, mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str]:
     """Yield the dead centres at which what is said to stand still moves, and the other way.
 
-    Where a zero of k meets a pole, the other parameters' values decide what stands still: it is 0/0.
+    Where a zero of k meets a pole, k is 0/0, and the other values decide what stands still.
     """
     assert isinstance(result.target, LoadRatio)
     below, above = result.target.below, result.target.above
