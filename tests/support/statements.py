@@ -9,7 +9,7 @@ from itertools import pairwise
 from random import Random
 from types import CodeType
 
-from mechc.formula.choices import FUNCTIONS as CHOSEN
+from mechc.formula.choices import IN_WORDS
 from mechc.formula.evaluate import evaluate as slowly
 from mechc.formula.functions import FUNCTIONS
 from mechc.formula.to_text import text
@@ -53,7 +53,7 @@ def _code(formula: Formula) -> CodeType | None:
 
 def _is_slow(part: Formula) -> bool:
     """Return whether a part is iterated, chosen or looked up, for which there is no code."""
-    return isinstance(part, Implicit) or (isinstance(part, Call) and part.function in CHOSEN)
+    return isinstance(part, Implicit) or (isinstance(part, Call) and part.function in IN_WORDS)
 
 
 def evaluate(formula: Formula, values: Values) -> float:

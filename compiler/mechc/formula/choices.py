@@ -47,71 +47,11 @@ A power of two for the same reason; where both are near 0 they may differ by :da
 
 CONDITIONS: Mapping[str, str] = {sign: name for name, sign in SIGNS.items()}
 
-_HOLDS: Mapping[str, Callable[[float, float], bool]] = {
-    "less": lambda a, b: a < b,
-    "at_most": lambda a, b: a <= b,
-    "more": lambda a, b: a > b,
-    "at_least": lambda a, b: a >= b,
-    "same": lambda a, b: a == b,
-    "differs": lambda a, b: a != b,
-}
-
-
-def _condition(name: str) -> Callable[[float, float], float]:
-    holds = _HOLDS[name]
-    return lambda a, b: math.nan if a != a or b != b else float(holds(a, b))
-
-
-def _choose(*parts: float) -> float:
-    """Return the chosen one of values; those that are not chosen may be None."""
-    for condition, value in zip(parts[::2], parts[1::2], strict=False):
-        if math.isnan(condition):
-            return math.nan
-        if condition:
-            return value
-    return parts[-1] if len(parts) % 2 else math.nan
-
-
-def _interpolate(x: float, *rows: float) -> float:
-    for (low, start), (high, end) in pairwise(zip(rows[::2], rows[1::2], strict=True)):
-        if low <= x <= high:
-            return start + (x - low) * ((end - start) / (high - low))
-    return math.nan
-
-
-def _nearest(x: float, rows: Sequence[float]) -> float:
-    """Return the row that lies nearest, of two alike the smaller one; rows rise."""
-    return next((a for a, b in pairwise(rows) if x <= (a + b) / 2), rows[-1])
-
-
-def _met(x: float, *rows: float) -> float:
-    row = _nearest(x, rows)
-    return row if abs(x - row) > float(SAME_ROW) * abs(row) else x
-
-
-def _row(x: float, *rows: float) -> float:
-    values = dict(zip(rows[::2], rows[1::2], strict=True))
-    return values[_nearest(x, rows[::2])] if _met(x, *rows[::2]) == x else math.nan
-
-
-def _next(x: float, *sizes: float) -> float:
-    return next((size for size in sizes if x <= size), math.nan)
-
-
-FUNCTIONS: Mapping[str, Callable[..., float]] = {
-    **{name: _condition(name) for name in SIGNS},
-    "both": lambda *conditions: math.prod(conditions),
-    "count": lambda *conditions: math.fsum(conditions),
-    "choose": _choose,
-    "interpolate": _interpolate,
-    "met": _met,
-    "row": _row,
-    "next": _next,
-}
-"""The functions of this module on floats."""
-
 LOOKED_UP = frozenset({"choose", "interpolate", "row", "next"})
 """Functions that have their tables, or their cases, for arguments."""
+
+IN_WORDS = LOOKED_UP | {*SIGNS, "both", "count", "met"}
+"""Functions that are written in words and signs, ``a when x > b else c``, and not as calls."""
 
 
 def equal_within(left: Formula, right: Formula) -> tuple[Formula, Formula]:

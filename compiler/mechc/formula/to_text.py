@@ -120,7 +120,7 @@ def _text(formula: Formula, level: int) -> str:
             return f"({raised})" if level > 2 else raised
         case Call(_, (Product(),)) if formula in _ROOTS:
             return _product_text(Product((formula,)), level)
-        case Call(function, arguments) if function in choices.FUNCTIONS:
+        case Call(function, arguments) if function in choices.IN_WORDS:
             chosen = _choice(function, [_figures(a) for a in arguments])
             return f"({chosen})" if level else chosen
         case Call(function, arguments):
