@@ -1,6 +1,8 @@
 """What friction takes for granted: which link a pin is fast in, that a joint at rest has none."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from types import UnionType
+from typing import Final
 
 from ..algebra.sums import add
 from ..diagnostics import Diagnostic
@@ -11,13 +13,17 @@ from ..formula.walk import symbols
 from ..kinematics.joint_refs import JointRef
 from ..kinematics.plan import Plan
 from ..model.dependence import in_geometry
-from ..model.mechanism import (
-    Load,
-    LoadForm,
-    LoadRatio,
-    Mechanism,
+from ..model.mechanism import Load, LoadForm, LoadRatio, Mechanism, WithFriction
+from ..model.parts.friction import (
+    CollarFriction,
+    FaceFriction,
+    GuideFriction,
+    JointFriction,
     PinFriction,
-    WithFriction,
+    PivotFriction,
+    RopeFriction,
+    ThreadFriction,
+    WheelFriction,
 )
 from ..model.values import completed
 from ..pose.pose import Pose
@@ -27,6 +33,18 @@ from ..source import Span
 from . import at_rest
 from .pairs import FrictionPair, GivenForces, LoadedPair
 from .senses import sense_of
+
+AT_REST: Final[Mapping[str, tuple[type[JointFriction] | UnionType, str]]] = {
+    "guide": (GuideFriction, "the joint at {} does not slide"),
+    "face": (FaceFriction, "the joint at {} does not slide"),
+    "gear": (WheelFriction, "the gear at {} does not turn"),
+    "belt": (WheelFriction, "the belt at {} does not move"),
+    "rack": (WheelFriction, "the rack at {} does not move"),
+    "screw": (ThreadFriction, "the screw at {} does not turn"),
+    "collar": (CollarFriction | PivotFriction, "the collar at {} does not turn"),
+    "rope": (RopeFriction, "the rope at {} does not slide"),
+}
+"""What is said of a pair without slip, by what its name ends in: a pin's ends in a link, if any."""
 
 
 def assumptions(
@@ -104,13 +122,11 @@ def without_slip(loaded: Iterable[LoadedPair], plan: Plan) -> Iterator[Diagnosti
 
 def _place(pair: FrictionPair, mechanism: Mechanism) -> tuple[Span, str]:
     """Return where friction of a pair is given, and what is said of the pair."""
-    point, _, _ = pair.name.partition("_")
-    given = [k for k in mechanism.friction.joints if k.point == point]
-    pins = [k for k in given if isinstance(k, PinFriction)]
-    if pins and not pair.name.endswith(("_face", "_guide")):
-        return pins[0].span, f"the pin at {point} does not turn"
-    others = [k for k in given if k not in pins]
-    return others[0].span, f"the joint at {point} does not slide"
+    point, _, surface = pair.name.partition("_")
+    kinds, said = AT_REST.get(surface, (PinFriction, "the pin at {} does not turn"))
+    joints = mechanism.friction.joints
+    given = next(k for k in joints if k.point == point and isinstance(k, kinds))
+    return given.span, said.format(point)
 
 
 def _crank(mechanism: Mechanism) -> str:

@@ -157,6 +157,7 @@ def mapping_fields(
     spare = list(entry.others)
     for name, value in pairs:
         if name.text in known:
+            refuse_two_ends(known, name, value)
             fields |= values(known[name.text], value, source)
         elif spare and points_of(name.text):
             fields |= other_fields(spare.pop(0), name, value, source)
@@ -164,6 +165,14 @@ def mapping_fields(
             raise Fault(unknown_key(name, where, known))
     check_keys(entry, {name.text for name, _ in pairs}, spare, span, where)
     return fields
+
+
+def refuse_two_ends(known: dict[str, EntryKey], name: Scalar, value: YamlNode) -> None:
+    """Refuse ``intensity: [q1, q2]``: the intensity at the other end has the key ``to``."""
+    end = known.get("to")
+    if end and name.text in end.needs and isinstance(value, Listing):
+        hint = f"what varies evenly has two keys: {{{name.text}: q1, to: q2}}"
+        raise Fault(syntax_yaml.wrong_shape(value.span, described(value), "an expression", hint))
 
 
 def other_fields(key: EntryKey, name: Scalar, value: YamlNode, source: Source) -> dict[str, Any]:

@@ -191,6 +191,18 @@ def of_shape(text: str) -> str:
     return f"in YAML a colon stands for '=': {first[1]}: …" if first else ""
 
 
+def of_text_in_keys(keys: Iterable[str]) -> str:
+    """Return a hint at a mapping where a text belongs: vectors of a link, or other languages.
+
+    >>> of_text_in_keys(["OA"])
+    'lengths and directions stand apart: geometry: {OA: …}'
+    """
+    first = next(iter(keys), "")
+    if POINTS.fullmatch(first) and len(first) > 1:
+        return f"lengths and directions stand apart: geometry: {{{first}: …}}"
+    return "other languages stand apart: translate: [{text: …, uk: …}]"
+
+
 def of_section(key: str, allowed: Iterable[str]) -> str:
     """Return a hint at a key that a description does not have: a line of a section, misplaced.
 

@@ -279,9 +279,9 @@ def text_of(node: YamlNode, source: Source) -> Fields:
     """Read a text."""
     if isinstance(node, Scalar):
         return ("" if node.empty else node.text,)
-    expected, is_spoken = "a text", isinstance(node, Table)
-    hint = "other languages stand apart: translate: [{text: …, uk: …}]" if is_spoken else ""
-    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, hint))
+    keys = [name.text for name, _ in node.entries] if isinstance(node, Table) else []
+    hint = slips.of_text_in_keys(keys) if keys else ""
+    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "a text", hint))
 
 
 def flag(node: YamlNode, source: Source) -> Fields:
