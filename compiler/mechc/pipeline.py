@@ -261,18 +261,18 @@ class Pipeline:
         """The parts of the stroke on which a loop does not close."""
         if self.pose.mechanism.drive is None:
             return ()
-        from .study.stroke.gaps import remark
+        from .study.open_loops import remark_on_stroke
 
-        return self._sound(remark(self.plan, self.report))
+        return self._sound(remark_on_stroke(self.plan, self.report))
 
     @Stage
     @of_linkages
     def open_ranges(self) -> None:
         """The remarks on ranges that reach to where a loop does not close."""
         if self.pose.loops and any(p.range for p in self.pose.mechanism.parameters):
-            from .study.open_ranges import remark
+            from .study.open_loops import remark_on_ranges
 
-            remark(self.plan, self.report)
+            remark_on_ranges(self.plan, self.report)
 
     @Stage
     def derivation(self) -> "Derivation":

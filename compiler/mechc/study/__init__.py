@@ -8,5 +8,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"locking", "open_ranges", "ratios"}
+    SELDOM = {"locking", "ratios"}
     __getattr__ = waiting(__name__, SELDOM)
