@@ -10,7 +10,6 @@ from sources import tree_of
 
 BASE = [
     "later",
-    "patterns",
     "named",
     "version",
     "kept",

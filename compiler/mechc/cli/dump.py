@@ -19,8 +19,8 @@ from ..figure.figure import Plane
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..frozen import REQUIRED, fields
+from ..later import pattern
 from ..named import NamedTuple
-from ..patterns import pattern
 from ..report.text.printer import print_formula
 from ..report.text.signs import ASCII
 from ..source import Span

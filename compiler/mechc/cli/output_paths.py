@@ -5,8 +5,8 @@ from pathlib import Path
 
 from ..emit import registry
 from ..emit.target import Emitted
+from ..later import pattern
 from ..named import NamedTuple
-from ..patterns import pattern
 from . import usage
 
 SPECIAL = pattern(r"(\\*)([ #:])")

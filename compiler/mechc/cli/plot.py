@@ -11,7 +11,7 @@ from ..emit.svg.picture import to_svg
 from ..files import write_all
 from ..formula.letters import letters
 from ..frozen import replace
-from ..patterns import pattern
+from ..later import pattern
 from ..plot.narrowing import ArrayFunction
 from ..plot.query import USUAL_ROWS, Query, ZoneCondition, condition
 from ..report.languages.registry import locale

@@ -13,7 +13,7 @@ from ..formula.names import (
     split_points,
     split_ratio,
 )
-from ..patterns import pattern
+from ..later import pattern
 from ..units import LENGTH, UNITS
 from .drawing import TextRun
 from .tolerances import ONE

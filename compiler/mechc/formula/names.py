@@ -7,8 +7,8 @@
 import re
 from functools import lru_cache
 
+from ..later import pattern
 from ..named import NamedTuple
-from ..patterns import pattern
 
 _SMALL = """
 alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho

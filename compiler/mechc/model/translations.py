@@ -6,7 +6,7 @@ from types import MappingProxyType
 from ..diagnostics import Report, near_miss
 from ..diagnostics.model import translations as messages
 from ..formula.names import words_in
-from ..patterns import pattern
+from ..later import pattern
 from ..source import Span
 from ..syntax import ast
 from ..syntax.vocabulary import LANGUAGES

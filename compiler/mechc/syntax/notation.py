@@ -6,7 +6,7 @@ from pathlib import PurePath
 from typing import cast
 
 from ..diagnostics import Diagnostic, Report, syntax
-from ..patterns import pattern
+from ..later import pattern
 from ..source import Source, Span
 from . import ast
 from .parser.grammar import statement_words

@@ -9,8 +9,8 @@ from typing import assert_never
 
 from ..diagnostics import Report, syntax
 from ..frozen import replace
+from ..later import pattern
 from ..named import NamedTuple
-from ..patterns import pattern
 from ..source import Source, Span
 from ..units import DIMENSIONS, NUMBER, UNITS
 from . import ast, moved

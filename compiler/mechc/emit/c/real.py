@@ -9,8 +9,8 @@ import re
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
 from ...formula import arcs, newton
+from ...later import pattern
 from ...named import NamedTuple
-from ...patterns import pattern
 
 
 class Real(NamedTuple):

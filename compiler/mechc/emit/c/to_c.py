@@ -9,8 +9,8 @@ from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
 from ...formula import arcs, newton
 from ...formula.choices import SIGNS
+from ...later import pattern
 from ...named import NamedTuple
-from ...patterns import pattern
 from ...routine.steps import Common, Program, Routine, every, inputs_of, programs
 from .. import describe
 from ..names import TargetNames, file_stem, mangle, transliterate

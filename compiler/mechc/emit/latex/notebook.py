@@ -3,8 +3,8 @@
 import re
 from collections.abc import Iterable, Iterator
 
+from ...later import pattern
 from ...model.statements import is_sheet
-from ...patterns import pattern
 from ...report.languages import registry
 from ...report.latex.document_style import style_of
 from ...report.latex.notation import LatexNotation, notation

@@ -7,7 +7,7 @@ from itertools import groupby
 from ...drawing.drawing import PENS, Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Shape, TextRun
 from ...drawing.lettering import SIZE
 from ...formula.names import GREEK
-from ...patterns import pattern
+from ...later import pattern
 from ...report.latex.text import escape
 
 POINTS = 72.27 / 25.4

@@ -26,7 +26,7 @@ from ...formula.tree import (
     total,
 )
 from ...frozen import frozen
-from ...patterns import pattern
+from ...later import pattern
 from ...source import Span
 from ...syntax import ast
 from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension

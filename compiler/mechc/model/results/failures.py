@@ -10,7 +10,7 @@ from ...formula.evaluate import evaluate
 from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...formula.walk import symbols
-from ...patterns import pattern
+from ...later import pattern
 from ...source import Source
 from ...units import ANGLE, LENGTH, in_unit, si_unit
 from ..mechanism import Require, Subject

@@ -8,8 +8,8 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
 
 from ...frozen import fields, replace
+from ...later import pattern
 from ...named import NamedTuple
-from ...patterns import pattern
 from ...source import Span
 from ...syntax import ast, moved
 from ...syntax.vocabulary import GROUND, of_used, points_of

@@ -8,9 +8,9 @@ from ...formula.rewriting import plus_first
 from ...formula.tree import HALF, ONE, Call, Formula, Implicit, Number, Power, Product, Sum
 from ...formula.walk import reached, symbols, walk
 from ...frozen import replace
+from ...later import pattern
 from ...model.mechanism import ForcePair, Mechanism
 from ...model.result import Definition
-from ...patterns import pattern
 from ...pose.pose import Pose, SolvedLoop
 from ..kinds import PositionKind
 from ..steps import Derivation, Equation, PositionStep

@@ -19,8 +19,8 @@ from ...formula.names import (
     words_in,
 )
 from ...frozen import frozen
+from ...later import pattern
 from ...model.mechanism import Reaction
-from ...patterns import pattern
 from ..languages.registry import locale
 from ..made_names import MadeNames
 from .text import escape

@@ -23,8 +23,8 @@ from itertools import pairwise
 from ...formula.layout import SIZES, TRIGONOMETRIC, in_degrees
 from ...formula.tree import Call, Constant, Formula, Number, Pi, Power, Product, Symbol
 from ...formula.typesetting import FormulaRow, Surroundings, Typesetter
+from ...later import pattern
 from ...named import NamedTuple
-from ...patterns import pattern
 from ...syntax.vocabulary import split_quantity
 from .notation import LatexNotation, relation_sign
 from .notation import name as name_of

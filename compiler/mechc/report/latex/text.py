@@ -14,7 +14,7 @@ from functools import cache
 from itertools import groupby
 
 from ...formula.names import GREEK
-from ...patterns import pattern
+from ...later import pattern
 from .letters import CYRILLIC, LATIN, spelled
 
 _SHAPES = {"phi": "varphi", "epsilon": "varepsilon"}

@@ -21,7 +21,7 @@ from ...formula.layout import SIZES, TRIGONOMETRIC, decimal, letter_of
 from ...formula.names import GREEK, corner_of, split_name, words_in
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import FormulaRow, Surroundings, Typesetter
-from ...patterns import pattern
+from ...later import pattern
 from .signs import RAISED, TextSigns, tens
 
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

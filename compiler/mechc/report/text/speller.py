@@ -8,11 +8,10 @@ from ...formula.layout import is_angle
 from ...formula.names import split_points
 from ...formula.tree import Formula, Symbol
 from ...frozen import replace
-from ...later import Later
+from ...later import Later, pattern
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
 from ...named import NamedTuple
-from ...patterns import pattern
 from ...units import behind, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of

@@ -7,8 +7,8 @@ of a section, stands above the next statement; what is left stands at the end.
 from collections.abc import Iterator, Sequence
 
 from ...frozen import replace
+from ...later import pattern
 from ...named import NamedTuple
-from ...patterns import pattern
 from ...source import Source, Span
 from .. import ast
 from ..vocabulary import LANGUAGES

@@ -5,8 +5,8 @@ from collections.abc import Collection, Iterable, Mapping
 from typing import Final
 
 from ...diagnostics import Diagnostic, syntax
+from ...later import pattern
 from ...named import NamedTuple
-from ...patterns import pattern
 from ...source import Source, Span
 from ..examples import SECTIONS
 from ..vocabulary import POINTS
