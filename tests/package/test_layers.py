@@ -163,3 +163,14 @@ def test_every_folder_says_what_it_promises() -> None:
 
 def test_the_list_above_names_what_there_is() -> None:
     assert hidden() >= LATE
+
+
+def test_what_waits_in_a_package_is_a_module_of_it_that_somebody_asks_it_for() -> None:
+    asked = {name for needs in imports_by_module().values() for name in needs}
+    for path in PACKAGE.rglob("__init__.py"):
+        package = name_of(path.parent).replace("/", ".")
+        for node in ast.walk(tree_of(path)):
+            match node:
+                case ast.Assign([ast.Name("SELDOM" | "WORDS")], ast.Set() as names):
+                    waiting = {str(c.value) for c in ast.walk(names) if isinstance(c, ast.Constant)}
+                    assert {f"{package}.{name}" for name in waiting} <= asked, package

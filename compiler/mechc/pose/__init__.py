@@ -11,5 +11,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"assembly_checks", "force_pairs", "paths"}
+    SELDOM = {"assembly_checks", "force_pairs"}
     __getattr__ = waiting(__name__, SELDOM)
