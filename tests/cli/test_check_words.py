@@ -140,3 +140,11 @@ def test_what_is_squared_or_between_bars_has_no_minus_before_it(run: Run) -> Non
     assert "len_AC1 = hypot(r*cos(phi) + x_O, y_C1 - r*sin(phi) - y_O)" in out
     out = run("check", str(CORPUS / "good" / "opposite_sliders.mech"))
     assert "/abs(l*cos(delta - 50 deg)*cos(theta + 80 deg) + u*sin(delta + 80 deg)" in out
+
+
+def test_formulas_are_those_of_pages(run: Run) -> None:
+    """Sines of friction have the geometry first, and a constant direction needs no bars."""
+    held = run("check", "karpenko_fig9_with_friction")
+    assert "delta_BK - beta" not in held
+    assert "c_P_hold = -tan(beta - delta_BK)/2" in held
+    assert "abs(sin(" not in run("check", str(EXAMPLES / "strength" / "clamp.mech"))

@@ -3,7 +3,7 @@
 from mechc.driver import Compilation, compile_source
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, product
-from mechc.report.derivation.readable import ReadableFormulas
+from mechc.report.derivation.readable import ReadableDerivation
 from mechc.report.kinds import SentenceKind
 from mechc.report.steps import Equation, Explanation, Paragraph
 from mechc.report.text.derivation import render
@@ -12,9 +12,9 @@ from mechc.source import Source
 A, B, N = (Symbol(name) for name in ("alpha", "beta", "N"))
 
 
-def readable() -> ReadableFormulas:
+def readable() -> ReadableDerivation:
     """Return formulas of a plan in which every angle is to be turned by 90°."""
-    found = object.__new__(ReadableFormulas)
+    found = object.__new__(ReadableDerivation)
     found._turns, found._found = frozenset(), set()
     found._ranges = dict  # type: ignore[assignment]
     found._values = lambda: {"alpha": 0.1, "beta": 0.2}  # type: ignore[assignment]

@@ -35,6 +35,7 @@ from ..report.definitions import (
     without_minus,
 )
 from ..report.note import NoteLine, own_lines
+from ..report.readable import readable_results
 from ..report.sections import ShownNames, in_short, is_idle_direction
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
@@ -146,11 +147,15 @@ def _of_results(compilation: Compilation, spell: TextSpeller) -> Iterator[str]:
 
 
 def _with_directions(compilation: Compilation) -> Sequence[Analysis]:
-    """Return the results with names for directions, of which loops alone make long sums."""
-    if not compilation.pose.closing:
-        return compilation.results
-    chosen = directions.directions(compilation.results, compilation.pose)
-    return directions.in_results(compilation.results, chosen)
+    """Return the results as pages have them, with names for directions.
+
+    Loops alone make long sums of these.
+    """
+    results, pose = compilation.results, compilation.pose
+    results = readable_results(compilation.plan, results)
+    if not pose.closing:
+        return results
+    return directions.in_results(results, directions.directions(results, pose))
 
 
 class _Entry(NamedTuple):

@@ -39,9 +39,12 @@ def allowed_box(mechanism: Mechanism) -> IntervalBox:
 
 
 def size_box(mechanism: Mechanism) -> IntervalBox:
-    """Return the box of lengths and the like that keep their sign, whatever ranges there are."""
-    free = (p for p in mechanism.parameters if not p.dependent)
-    boxes = {p.name: _allowed(replace(p, range=None)) for p in free}
+    """Return the box of lengths and the like that keep their sign, whatever ranges there are.
+
+    Constants keep their values.
+    """
+    known = filter(_is_known, mechanism.parameters)
+    boxes = {p.name: _allowed(replace(p, range=None)) for p in known}
     return {name: interval for name, interval in boxes.items() if interval is not None}
 
 

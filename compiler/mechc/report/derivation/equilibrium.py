@@ -23,6 +23,7 @@ from ...power.balance import AlgebraicResult
 from ...power.definitions import intermediates
 from ...study.analysis import Analysis
 from ..kinds import SentenceKind
+from ..readable import turns_of_friction
 from ..sentences.order import positive_first
 from ..steps import Derivation, Equation, Explanation, Paragraph
 from .forces import of_forces
@@ -30,7 +31,7 @@ from .friction import of_friction
 from .notation import direction_formula
 from .per_load import by_forces
 from .position import position_steps
-from .readable import ReadableFormulas, turns_of_friction
+from .readable import ReadableDerivation
 
 Places = tuple[str, ...]
 
@@ -71,7 +72,7 @@ def derive_by_equilibrium(
     explanations = (*sums, *of_friction(solution, results))
     pose = solution.plan.graph.pose
     requires = pose.mechanism.requires
-    face = ReadableFormulas(solution.plan, turns_of_friction(results, pose))
+    face = ReadableDerivation(solution.plan, turns_of_friction(results, pose))
     derivation = Derivation((), (), (), tuple(results), explanations, requires=requires)
     derivation = face.derivation(derivation)
     position = position_steps(pose, derivation)

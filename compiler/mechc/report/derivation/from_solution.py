@@ -10,6 +10,7 @@ from ...frozen import replace
 from ...model.mechanism import SpeedRatio
 from ...study.analysis import Analysis
 from ..kinds import StepRule
+from ..readable import turns_of_friction
 from ..sentences.speller import guided_of
 from ..steps import Derivation, DerivationStep, Equation
 from . import equilibrium
@@ -18,7 +19,7 @@ from .friction import of_friction
 from .last_step import last_steps
 from .position import position_steps
 from .power_terms import power_equations, power_terms, speeds_along
-from .readable import ReadableFormulas, turns_of_friction
+from .readable import ReadableDerivation
 from .speed_steps import SpeedSteps
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ def derive(
         ratios=tuple(speeds.ratios),
         requires=mechanism.requires,
     )
-    face = ReadableFormulas(solution.plan, turns_of_friction(results, solution.plan.graph.pose))
+    face = ReadableDerivation(solution.plan, turns_of_friction(results, solution.plan.graph.pose))
     derivation = face.derivation(derivation)
     last = map(face.last_step, last_steps(derivation, solution.balance.equations.owners))
     derivation = without_unused(replace(derivation, last_steps=tuple(last)))

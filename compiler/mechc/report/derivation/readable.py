@@ -1,110 +1,18 @@
-"""How a derivation's formulas are turned to be read: as a person writes the angles in them."""
+"""How a derivation's formulas are turned to be read, term by term with those of its results."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
-from functools import cache, partial
+from collections.abc import Iterable, Sequence
 
-from ...algebra.from_formula import to_product
-from ...algebra.intervals import IntervalBox, sign
-from ...formula.differences import (
-    MOST_READ_OPERATIONS,
-    LazyValues,
-    differences_as_in,
-    factors_as_in,
-    positive_sines,
-    terms_as_in,
-    with_positive_sines,
-    zero_as_written,
-)
-from ...formula.layout import has_minus, over_line
-from ...formula.operations import count_operations
-from ...formula.rewriting import plus_first, rewritten, without_sign
-from ...formula.tree import (
-    ONE,
-    Call,
-    Formula,
-    Product,
-    Sum,
-    is_call,
-    negative,
-    number,
-    product,
-    total,
-)
-from ...formula.walk import symbols, walk
+from ...formula.differences import factors_as_in, terms_as_in
+from ...formula.layout import has_minus
+from ...formula.rewriting import plus_first
+from ...formula.tree import Formula, Product, negative
 from ...frozen import replace
-from ...kinematics.plan import Plan
-from ...model.boxes import stroke_box
-from ...model.mechanism import Require, WithFriction
-from ...model.result import Definition
-from ...model.values import completed
-from ...pose.given_angles import given_lines
-from ...pose.pose import Pose
-from ...power.numbers import default_values
-from ...study.analysis import Analysis, Vanishing
-from ..definitions import plus_condition
-from ..sentences.order import geometry_first
+from ..readable import ReadableFormulas
 from ..steps import Derivation, DerivationStep, Equation, Explanation, LastStep, Paragraph
 
 
-def _without_bars(formula: Formula, ranges: Callable[[], IntervalBox]) -> Formula:
-    """Return a formula in which no bars stand about factors of one sign over the ranges.
-
-    Outside them the formula may have another sign: that is for readers, who have the ranges.
-
-    >>> from ...algebra.intervals import NumberInterval
-    >>> from ...formula.tree import Symbol
-    >>> beta, force = Call("cos", (Symbol("beta"),)), Symbol("F")
-    >>> size = Call("abs", (product([(beta, 1), (force, 1)]),))
-    >>> _without_bars(size, lambda: {"beta": NumberInterval(0.1, 0.7)}) == product(
-    ...     [(beta, 1), (Call("abs", (force,)), 1)]
-    ... )
-    True
-    """
-
-    def bare(whole: Formula) -> Formula | None:
-        match whole:
-            case Call("abs", (inner,)):
-                factors = inner.factors if isinstance(inner, Product) else (inner,)
-                senses = [(f, sign(to_product(f), ranges()) or 0) for f in factors]
-                open_ = product((f, 1) for f, sense in senses if not sense)
-                known = [(product([(number(sense), 1), (f, 1)]), 1) for f, sense in senses if sense]
-                left = [] if open_ == ONE else [(Call("abs", (open_,)), 1)]
-                return product([*known, *left]) if known else None
-        return None
-
-    is_barred = any(is_call(part, "abs") for part in walk(formula))
-    return rewritten(formula, bare) if is_barred else formula
-
-
-def _terms(formula: Formula) -> frozenset[Formula]:
-    """Return the terms of a sum, whatever their order; none of what is no sum."""
-    return frozenset(formula.terms) if isinstance(formula, Sum) else frozenset()
-
-
-class ReadableFormulas:
-    """Writes formulas as :func:`with_positive_sines` does, at the default pose of a plan."""
-
-    def __init__(self, plan: Plan, turns: Set[str] = frozenset()) -> None:
-        """Take the angles by which friction ``turns`` forces: they stand behind others."""
-        self._turns = turns
-        self._found = {definition.name for definition in plan.graph.pose.definitions}
-        self._values: LazyValues = cache(partial(default_values, plan))
-        self._quarter = given_lines(plan.graph.pose)
-        self._ranges = cache(partial(stroke_box, plan.graph.pose.mechanism))
-
-    def of(self, formula: Formula, longer: int = 0) -> Formula:
-        """Return a formula with its sines of differences turned, its sums led by a plus.
-
-        Its quotients have whole numbers, not decimals, and nothing stands between bars that has one
-        sign over the ranges given. For an angle that is given it may grow
-        ``longer`` by so many operations.
-        """
-        formula = _without_bars(formula, self._ranges)
-        written = over_line(with_positive_sines(formula, self._values, self._quarter, longer))
-        if count_operations(written) > MOST_READ_OPERATIONS:
-            return written
-        is_turned = not self._turns.isdisjoint(symbols(formula))
-        return plus_first(geometry_first(written, self._turns) if is_turned else written)
+class ReadableDerivation(ReadableFormulas):
+    """Writes the formulas of derivations as those of results."""
 
     def with_fewest_minuses(self, equation: Equation) -> Equation:
         """Return an equation with readable sides, all of the other sign if fewer have a minus then.
@@ -116,27 +24,6 @@ class ReadableFormulas:
             return sides
         opposite = Equation(*(self.of(negative(side)) for side in sides))
         return min(sides, opposite, key=lambda pair: sum(map(has_minus, pair)))
-
-    def sines(self, formulas: Iterable[Formula]) -> Sequence[Formula]:
-        """Return the sines of differences that are written in formulas as a person has them."""
-        return positive_sines(formulas, self._values)
-
-    def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
-        """Return a condition under which a formula is zero or infinite as the formula has it."""
-        factor, *but = (self._condition(f, formula) for f in (limit.factor, *limit.but))
-        return limit._replace(factor=factor, but=tuple(but))
-
-    def _condition(self, factor: Formula, formula: Formula) -> Formula:
-        """Return a factor that is zero as a formula has it, else as it would be written alone."""
-        if factor in walk(formula):
-            return factor
-        turned = zero_as_written(factor, self._values, self._quarter)
-        both = (factor, turned)
-        opposite = (total(map(negative, s.terms)) for s in both if isinstance(s, Sum))
-        shown = [without_sign(differences_as_in(one, formula)) for one in (*both, *opposite)]
-        sums = {frozenset(s.terms): s for s in walk(formula) if isinstance(s, Sum)}
-        ordered = (sums.get(_terms(one), one) for one in shown)
-        return next((one for one in ordered if one in walk(formula)), turned)
 
     def equations(self, equations: Iterable[Equation]) -> tuple[Equation, ...]:
         """Return equations, either side of each by itself."""
@@ -161,35 +48,6 @@ class ReadableFormulas:
 
         return replace(explanation, paragraphs=tuple(map(shown, explanation.paragraphs)))
 
-    def result(self, result: Analysis) -> Analysis:
-        """Return a result; what is said of its formula mentions the same parts as that does."""
-        formula = self.of(result.formula)
-        zeros = tuple(self.zero(limit, formula) for limit in result.zeros)
-        poles = tuple(self.zero(limit, formula) for limit in result.poles)
-        slopes = result.derivatives
-        derivatives = slopes and {
-            n: differences_as_in(self.of(s), formula) for n, s in slopes.items()
-        }
-        where = tuple(d._replace(formula=self._defined(d)) for d in result.where)
-        holds = tuple(map(self._held, result.holds))
-        result = replace(result, where=where, holds=holds, derivatives=derivatives)
-        return replace(result, formula=formula, zeros=zeros, poles=poles)
-
-    def _held(self, condition: Require) -> Require:
-        """Return a condition as results are written; what has a minus is turned round."""
-        return plus_condition(replace(condition, left=self.of(condition.left)))
-
-    def _defined(self, definition: Definition) -> Formula:
-        """Return a definition as results are written; one that loops give is so already."""
-        formula = definition.formula
-        return self._turned(formula) if definition.name in self._found else self.of(formula)
-
-    def _turned(self, formula: Formula) -> Formula:
-        """Return a formula with an angle of friction in front as it is written, else as it is."""
-        if self._turns.isdisjoint(symbols(formula)):
-            return formula
-        return formula if geometry_first(formula, self._turns) == formula else self.of(formula)
-
     def last_step(self, step: LastStep) -> LastStep:
         """Return the step that gives a ratio."""
         ratio = step.ratio._replace(right=self.of(step.ratio.right))
@@ -198,8 +56,7 @@ class ReadableFormulas:
 
     def derivation(self, derivation: Derivation) -> Derivation:
         """Return the steps with sines of differences turned as those of the results are."""
-        self._values = cache(partial(_with_definitions, self._values, derivation.results))
-        results = tuple(map(self.result, derivation.results))
+        results = self.results(derivation.results)
         sines = self.sines(result.formula for result in results)
         return replace(
             derivation,
@@ -209,19 +66,3 @@ class ReadableFormulas:
             explanations=tuple(self.explanation(e, sines) for e in derivation.explanations),
             ratios=tuple(r._replace(formula=self.of(r.formula)) for r in derivation.ratios),
         )
-
-
-def _with_definitions(values: LazyValues, results: Iterable[Analysis]) -> Mapping[str, float]:
-    """Return values with those of the angles and forces that results with friction rest on."""
-    known = dict(values())
-    for result in results:
-        known |= completed(known, (d for d in result.stated if d.name not in known))
-    return known
-
-
-def turns_of_friction(results: Sequence[Analysis], pose: Pose) -> Set[str]:
-    """Return the names of angles by which friction turns a force, none that loops give."""
-    of_loops = {definition.name for definition in pose.definitions}
-    found = (d for r in results if isinstance(r.target, WithFriction) for d in r.where)
-    turned = {d.name for d in found if is_call(d.formula, "asin", "atan")}
-    return pose.mechanism.friction.parameters | (turned - of_loops)
