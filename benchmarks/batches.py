@@ -10,7 +10,7 @@ import numpy as np
 
 from emitted import HERE, Array, pointer
 from measure import medians, table
-from mechc.driver import Compilation, compile_source, emit
+from mechc.compilation import Compilation, compile_source, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.files import library, read

@@ -14,7 +14,7 @@ import sympy
 
 from emitted import Array, pointer, stroke
 from measure import medians, table
-from mechc.driver import Compilation, compile_source, emit
+from mechc.compilation import Compilation, compile_source, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.files import library, read

@@ -10,7 +10,7 @@ from scipy.optimize import fsolve
 
 from emitted import Array, built, code, pointer, stroke
 from measure import medians, table
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.files import library, read
 from mechc.formula.derivative import jacobian
 from mechc.formula.newton import TINY

@@ -19,7 +19,7 @@ import mpmath
 
 from emitted import built, code, stroke
 from measure import table
-from mechc.driver import Compilation, compile_source, emit
+from mechc.compilation import Compilation, compile_source, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.files import library, read

@@ -29,8 +29,8 @@ from generators import (
     uneven_scissor,
 )
 from measure import exponent, medians, table, timed
+from mechc.compilation import Compilation, compile_source, emit
 from mechc.diagnostics import Report
-from mechc.driver import Compilation, compile_source, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.files import library, mechanisms, read

@@ -9,8 +9,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .compilation import Compilation, checked, compile_source, emit, warnings
 from .diagnostics import Diagnostic, near_miss
-from .driver import Compilation, checked, compile_source, emit, warnings
 from .emit import registry
 from .emit.target import Emitted, Options
 from .evaluation import Evaluation

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Set
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from .compilation import Compilation
 from .diagnostics import near_miss
-from .driver import Compilation
 from .formula.evaluate import evaluate
 from .formula.to_text import text
 from .formula.tree import Formula

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from .driver import Compilation
+from .compilation import Compilation
 from .frozen import replace
 from .plot.query import USUAL_ROWS, GivenSetting, Query, condition
 from .syntax.settings import parse

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import TypeVar
 
-from .driver import Compilation, checked
+from .compilation import Compilation, checked
 from .emit.latex import notebook
 from .formula.to_text import text
 from .frozen import contents, field, frozen

@@ -6,8 +6,8 @@ import pytest
 
 import mechc
 from mechc import files
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.report.note import note
 
 BENT = """

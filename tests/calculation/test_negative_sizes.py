@@ -8,7 +8,7 @@ import pytest
 
 from mechc.calculation.calculation import Check
 from mechc.calculation.signs import _doubt, _force, _has_sign
-from mechc.driver import Compilation, complete
+from mechc.compilation import Compilation, complete
 from mechc.files import read
 from mechc.formula.tree import Call, Formula, Symbol, number, product, total
 from mechc.formula.walk import symbols

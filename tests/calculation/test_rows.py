@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import mechc
+from mechc.compilation import Compilation, complete
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, complete
 from mechc.source import Source
 from run_targets import COMPILER, assert_close, built, by_c_in_batch, by_c_singly, by_python
 

@@ -11,8 +11,8 @@ import pytest
 
 import mechc
 from mechc.cli import main
+from mechc.compilation import Compilation, complete
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, complete
 from mechc.emit.registry import load
 from mechc.emit.target import Options
 from mechc.formula.evaluate import evaluate

@@ -6,7 +6,7 @@ import pytest
 
 from mechc.cli import main
 from mechc.cli.show import text_of
-from mechc.driver import VIEWS, Compilation
+from mechc.compilation import VIEWS, Compilation
 from mechc.files import find, read
 from mechc.source import Source
 from sources import in_thirds

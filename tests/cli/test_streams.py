@@ -92,7 +92,7 @@ def test_an_interrupted_start_is_quiet(tmp_path):
         "from mechc.cli import main\n"
         "class Interrupting:\n"
         "    def find_spec(self, name, *rest):\n"
-        "        if name == 'mechc.driver': os.kill(os.getpid(), signal.SIGINT)\n"
+        "        if name == 'mechc.compilation': os.kill(os.getpid(), signal.SIGINT)\n"
         "sys.meta_path.insert(0, Interrupting())\n"
         f"sys.exit(main(['check', {CLAMP!r}, '--no-cache']))\n"
     )

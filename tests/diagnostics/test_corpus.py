@@ -8,8 +8,8 @@ import re
 import pytest
 
 from mechc.cli.explain import load_all
+from mechc.compilation import Compilation, complete
 from mechc.diagnostics import CATALOGUE, MechcError
-from mechc.driver import Compilation, complete
 from mechc.source import Source
 from mechc.syntax import limits
 from paths import CORPUS, TESTS

@@ -6,8 +6,8 @@ from random import Random
 
 import pytest
 
+from mechc.compilation import Compilation, complete
 from mechc.diagnostics import MechcError, Report
-from mechc.driver import Compilation, complete
 from mechc.files import library
 from mechc.source import Source
 from mechc.syntax.notation import read

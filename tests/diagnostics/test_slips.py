@@ -5,8 +5,8 @@ from random import Random
 
 import pytest
 
+from mechc.compilation import Compilation, complete, warnings
 from mechc.diagnostics import Diagnostic, MechcError
-from mechc.driver import Compilation, complete, warnings
 from mechc.source import Source, Span
 from slips import IN_LINES, IN_YAML, Slip, drawn, right
 

@@ -7,10 +7,10 @@ import pytest
 
 from good_mechanisms import ALL, begun
 from mechc.cli import main
+from mechc.compilation import Compilation
 from mechc.drawing.drawing import FORCE, RELATIVE, SYMBOL, VELOCITY, Arc, Polyline
 from mechc.drawing.moving import Marks
 from mechc.drawing.paper import on_paper
-from mechc.driver import Compilation
 from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.report.languages.ru.pictured import WORDS as RU
 from mechc.report.languages.uk.pictured import WORDS as UK

@@ -15,6 +15,7 @@ import mechc
 from good_mechanisms import ALL, begun
 from grown import Grown
 from mechc.cli import main, make_gallery
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
 from mechc.drawing.drawing import (
     BODY,
@@ -33,7 +34,6 @@ from mechc.drawing.loads import meets
 from mechc.drawing.moving import Marks
 from mechc.drawing.occupied import Occupied
 from mechc.drawing.paper import on_paper
-from mechc.driver import Compilation
 from mechc.emit.svg.picture import to_png, to_svg
 from mechc.emit.tikz.picture import to_tikz
 from mechc.figure.figure import Actuator, Force, Spring, Torque
@@ -327,7 +327,7 @@ def test_what_cannot_be_assembled_is_not_drawn(tmp_path, capsys):
 @pytest.mark.parametrize("hash_seed", ["77"])
 def test_the_same_bytes_for_any_hash(hash_seed):
     code = (
-        "from mechc.driver import Compilation as C; from mechc.files import find, read;"
+        "from mechc.compilation import Compilation as C; from mechc.files import find, read;"
         "from mechc.emit.svg.picture import to_svg;"
         "print(*(to_svg(C(read(find(n))).scheme)"
         " for n in ('parallel_gripper', 'scissor_2', 'jansen_leg')), sep='')"

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mechc.driver import Compilation, emit
+from mechc.compilation import Compilation, emit
 from mechc.emit.c.to_c import TARGET
 from mechc.emit.target import Emitted, Options
 from mechc.routine.evaluate import evaluate

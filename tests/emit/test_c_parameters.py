@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.emit.c.to_c import TARGET
 from mechc.emit.target import Compiled, Options
 from mechc.routine.steps import programs

@@ -14,8 +14,8 @@ import pytest
 import mechc
 from mechc.api import SolvedMechanism
 from mechc.cli.main import main
+from mechc.compilation import Compilation, compile_source
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, compile_source
 from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.json.to_json import TARGET as JSON
 from mechc.emit.python.to_python import TARGET as PYTHON

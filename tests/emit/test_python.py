@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.emit.names import TargetNames
 from mechc.emit.python.printer import RESERVED
 from mechc.emit.python.to_python import TARGET, function_names

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from grown import Grown
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.python.to_python import TARGET as PYTHON

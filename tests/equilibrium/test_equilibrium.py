@@ -6,7 +6,7 @@ import pytest
 
 from good_mechanisms import ALL, begun
 from mechc.cli import main
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.equilibrium.equilibrium import Equilibrium
 from mechc.formula.evaluate import evaluate
 from mechc.model.mechanism import LoadForm, LoadRatio, Pivot, Slider

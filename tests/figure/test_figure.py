@@ -10,8 +10,8 @@ import mechc
 from good_mechanisms import ALL, CLOSED, begun, tree_of
 from good_mechanisms import PARTS as PLACES
 from grown import Grown
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.emit.json.figure import PARTS
 from mechc.emit.json.to_json import TARGET
 from mechc.emit.target import Options

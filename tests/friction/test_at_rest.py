@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.formula.tree import ONE, ZERO, Call, Power, Symbol, number, product, total
 from mechc.friction.at_rest import NEAR_POSE, limits, values_nearby
 from mechc.model.result import Definition, Result

@@ -6,7 +6,7 @@ from math import cos, radians, sin, tan
 import pytest
 
 import mechc
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.formula.to_text import text
 from mechc.formula.tree import ZERO
 from mechc.report.text.derivation import render

@@ -8,7 +8,7 @@ import pytest
 
 import mechc
 from force_samples import samples, with_friction
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.to_text import text
 from mechc.formula.tree import Formula
 from mechc.model.mechanism import PinFriction

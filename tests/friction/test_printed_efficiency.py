@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.formula.walk import symbols

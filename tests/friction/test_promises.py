@@ -5,7 +5,7 @@ import math
 import pytest
 
 from good_mechanisms import ALL, begun
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.tree import ZERO, Symbol, number, product
 from mechc.friction.check import broken_promises
 from mechc.frozen import replace

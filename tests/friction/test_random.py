@@ -26,8 +26,8 @@ from force_samples import (
 )
 from force_trains import train
 from grown import Grown
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.formula.tree import Implicit
 from mechc.formula.walk import walk
 from mechc.source import Source

@@ -17,8 +17,8 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.product import Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.friction.senses import sense_of, size_of

@@ -6,7 +6,7 @@ import re
 import pytest
 
 import mechc
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.source import Source
 from paths import CORPUS
 

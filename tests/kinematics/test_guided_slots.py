@@ -5,7 +5,7 @@ import math
 import pytest
 
 import mechc
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.source import Source
 
 DRAWN = """

@@ -5,7 +5,7 @@ import pytest
 from good_mechanisms import ALL, begun
 from mechanisms import sample
 from mechc.algebra.product import ONE
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.frozen import replace
 from mechc.kinematics.check import broken_promises
 from mechc.kinematics.readable import readable_plan

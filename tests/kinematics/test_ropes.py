@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.formula.to_text import text
 from mechc.source import Source
 from small_mechanisms import mirrored_rope, movable_pulley

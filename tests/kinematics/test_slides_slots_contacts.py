@@ -4,8 +4,8 @@ import math
 
 import pytest
 
+from mechc.compilation import Compilation, compile_source
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, compile_source
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 import mechc
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.formula.to_text import text
 from mechc.report.kinds import StepRule
 from mechc.routine.evaluate import evaluate

@@ -9,10 +9,10 @@ import time
 
 import pytest
 
+from mechc.compilation import Compilation, complete, emit, warnings
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
 from mechc.diagnostics.statics import BUGS
-from mechc.driver import Compilation, complete, emit, warnings
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.source import Source

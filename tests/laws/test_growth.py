@@ -14,7 +14,7 @@ from generators import (
     uneven_expectation,
     uneven_scissor,
 )
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function
 from mechc.source import Source

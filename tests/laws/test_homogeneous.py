@@ -5,8 +5,8 @@ from collections.abc import Iterable
 import pytest
 
 from homogeneous import on_grid, uneven
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.source import Source
 from paths import LIBRARY
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 import mechc
 from mechanisms import Style, sample
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.operations import count_operations
 from mechc.formula.walk import symbols
 from mechc.source import Source

@@ -8,7 +8,7 @@ import pytest
 import mechc
 from gates import check
 from mechanisms import sample
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.source import Source
 
 

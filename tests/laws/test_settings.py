@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import mechc
+from mechc.compilation import compile_source
 from mechc.diagnostics import MechcError
-from mechc.driver import compile_source
 from mechc.files import library, read
 from mechc.formula.evaluate import evaluate
 from mechc.frozen import replace

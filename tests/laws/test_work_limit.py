@@ -6,12 +6,12 @@ import pytest
 
 from friction_chains import COUPLED
 from good_mechanisms import ALL
-from mechc import driver, stage, work
+from mechc import stage, work
 from mechc.algebra import multiples
 from mechc.algebra.product import Product
 from mechc.cli import main
+from mechc.compilation import Compilation, complete, emit
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, complete, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.formula.evaluate import evaluate, solution, straight_line
@@ -107,15 +107,15 @@ def test_what_is_made_for_what_is_emitted_is_counted(monkeypatch):
     """A form for elsewhere is made when the document asks for it."""
     text = ROD.replace("find", "friction pins 0.1 diameter 20 mm\nfind")
     compilation = Compilation(Source("rod.mech", text))
-    monkeypatch.setattr(driver, "Allowance", lambda: Allowance(20))
+    monkeypatch.setattr("mechc.compilation.Allowance", lambda: Allowance(20))
     with pytest.raises(MechcError) as error:
         emit(compilation, registry.load("json"), Options("rod"))
     assert [d.code for d in error.value.diagnostics] == ["E817"]
 
 
 def test_a_stroke_may_take_the_more_work_the_more_rows_are_asked_for(monkeypatch):
-    monkeypatch.setattr(driver, "MOST_WORK", 0)
-    monkeypatch.setattr(driver, "OF_A_ROW", 100)
+    monkeypatch.setattr("mechc.compilation.MOST_WORK", 0)
+    monkeypatch.setattr("mechc.compilation.OF_A_ROW", 100)
     made = complete(Compilation(Source("rod.mech", slider_crank("find k = M/F"))))
     with pytest.raises(MechcError) as caught:
         made.stroke(2)

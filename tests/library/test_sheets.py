@@ -4,8 +4,8 @@ from functools import cache
 
 import pytest
 
+from mechc.compilation import Compilation, compile_source, emit
 from mechc.diagnostics import Report
-from mechc.driver import Compilation, compile_source, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.files import library, mechanisms, read

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.files import read
 from run_targets import built
 from sheet_digits import BALANCES, NEAR_ZERO, POINTS, SHEETS, by_python, most, within

@@ -4,8 +4,8 @@ from contextlib import suppress
 
 import pytest
 
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.source import Source
 from small_mechanisms import slider_crank
 

@@ -10,8 +10,8 @@ import pytest
 import mechc
 import reference_kinematics
 from drawn_mechanisms import DRAWN
+from mechc.compilation import Compilation, compile_source
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, compile_source
 from mechc.source import Source
 from mechc.syntax import ast
 from reference_geometry import Arms, evaluate, every

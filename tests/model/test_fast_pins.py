@@ -4,7 +4,7 @@ import pytest
 
 import mechc
 from force_samples import compiled
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.figure import figure as drawn
 from mechc.model.mechanism import PinFriction
 from mechc.source import Source

@@ -2,8 +2,8 @@
 
 import pytest
 
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.source import Source
 from small_mechanisms import lever
 

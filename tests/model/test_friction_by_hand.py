@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol

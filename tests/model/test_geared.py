@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 

@@ -6,8 +6,8 @@ import pytest
 
 import mechc
 from mechc.cli.main import main
+from mechc.compilation import Compilation, complete
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, complete
 from mechc.report.languages.registry import LANGUAGES
 from mechc.report.text.derivation import render
 from mechc.source import Source

@@ -8,9 +8,9 @@ import pytest
 
 import mechc
 from mechc import files
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
-from mechc.driver import Compilation
 from mechc.formula.evaluate import evaluate
 from mechc.model.parts.friction import PinFriction
 from mechc.report.languages.registry import locale

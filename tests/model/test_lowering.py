@@ -6,7 +6,7 @@ from fractions import Fraction
 import pytest
 
 import mechc
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.tree import Number
 from mechc.model.mechanism import ArcSlot, Force
 from mechc.source import Source

@@ -5,8 +5,8 @@ from contextlib import suppress
 import pytest
 
 import mechc
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.source import Source
 from small_mechanisms import lever
 

@@ -5,8 +5,8 @@ from fractions import Fraction
 import pytest
 
 from mechc.cli.dump import dump
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError, Report
-from mechc.driver import Compilation
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import PI, ZERO, Constant, Number, Symbol

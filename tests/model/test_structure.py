@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pytest
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.tree import ONE
 from mechc.model.linkage.fast_pins import Adjacency, CarrierNode, FastPins, is_held, refined
 from mechc.model.mechanism import WheelPair

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.rounding import PrintedNumber
 from mechc.formula.tree import Symbol, number, total
 from mechc.frozen import fields, replace

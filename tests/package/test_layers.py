@@ -39,9 +39,19 @@ STAGES = [
     "figure",
 ]
 OUTPUT = ["routine", "plot", "drawing", "report", "emit"]
-TOP = ["stage", "pipeline", "driver", "shown", "plotting", "evaluation", "api", "cli", "__main__"]
+TOP = [
+    "stage",
+    "pipeline",
+    "compilation",
+    "shown",
+    "plotting",
+    "evaluation",
+    "api",
+    "cli",
+    "__main__",
+]
 ORDER = BASE + STAGES + OUTPUT + TOP
-VIEWS = ("pipeline.py", "driver.py", "plotting.py", "evaluation.py", "api.py")
+VIEWS = ("pipeline.py", "compilation.py", "plotting.py", "evaluation.py", "api.py")
 """Where a module may be imported in a function: for what is made only when it is asked for."""
 
 LATE = {("formula/to_sympy.py", "sympy")}

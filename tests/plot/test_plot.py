@@ -13,10 +13,10 @@ import pytest
 import mechc
 from good_mechanisms import loaded
 from mechc.cli import main
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
 from mechc.drawing.axes import GRID, PAPER, ZERO
 from mechc.drawing.panels import laid_out
-from mechc.driver import Compilation
 from mechc.emit.svg.picture import to_svg
 from mechc.frozen import replace
 from mechc.plot.query import usual

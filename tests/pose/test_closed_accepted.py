@@ -12,7 +12,7 @@ import pytest
 import mechc
 import reference_closed
 import reference_geometry
-from mechc.driver import Compilation, complete
+from mechc.compilation import Compilation, complete
 from mechc.routine.evaluate import evaluate, pose
 from mechc.source import Source
 from mechc.statics.closure import worst_gap

@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 
 from grown import GROUPS, Grown
+from mechc.compilation import Compilation, emit
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.formula.walk import symbols

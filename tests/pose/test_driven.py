@@ -3,8 +3,8 @@
 import pytest
 
 from drawn_mechanisms import DRAWN
+from mechc.compilation import Compilation, complete
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, complete
 from mechc.source import Source
 from mechc.syntax.settings import parse
 

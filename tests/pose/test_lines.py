@@ -5,7 +5,7 @@ import math
 import pytest
 
 import mechc
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.source import Source
 
 COLLINEAR = """

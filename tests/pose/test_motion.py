@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import reference_closed
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.files import find, read
 from mechc.model.values import defaults
 from mechc.routine.evaluate import evaluate, pose

@@ -9,7 +9,7 @@ import random
 
 import pytest
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.to_text import text
 from mechc.model.values import completed, defaults
 from mechc.power.numbers import value_of

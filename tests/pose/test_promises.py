@@ -8,7 +8,7 @@ from good_mechanisms import ALL, begun
 from mechanisms import sample
 from mechc.algebra.product import ONE, Product
 from mechc.algebra.trigonometry import cosine
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.tree import Call, Symbol, number, product
 from mechc.frozen import replace
 from mechc.model.mechanism import Drive

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.source import Source
 
 PAIR = """

@@ -5,7 +5,7 @@ import math
 import pytest
 
 import mechc
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Symbol, number
 from mechc.model import values

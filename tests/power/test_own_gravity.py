@@ -4,7 +4,7 @@ import pytest
 
 import mechc
 from mechc.cli.check_lines import report
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.report.text.derivation import render

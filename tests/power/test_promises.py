@@ -4,7 +4,7 @@ import pytest
 
 from good_mechanisms import ALL, begun
 from mechanisms import sample
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.tree import Symbol, product, total
 from mechc.frozen import replace
 from mechc.model.result import Definition

@@ -17,7 +17,7 @@ from force_samples import (
     sizes_of,
 )
 from gripping_brake import gripping_brake
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import is_call

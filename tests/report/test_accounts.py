@@ -3,7 +3,7 @@
 import pytest
 
 from good_mechanisms import begun
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.files import find, library, read
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Power, Product, Symbol

@@ -6,7 +6,7 @@ import pytest
 
 from good_mechanisms import compiled
 from mechc.cli.main import main
-from mechc.driver import Compilation, emit
+from mechc.compilation import Compilation, emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.report.text.derivation import render_brief

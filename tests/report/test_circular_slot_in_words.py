@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.report.derivation.forces import of_forces
 from mechc.report.kinds import SentenceKind
 from mechc.report.languages.registry import LANGUAGES

@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from good_mechanisms import compiled
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.files import find, read
 from mechc.formula.to_text import text
 from mechc.formula.tree import Constant, Symbol, number, product

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import ZERO, Call, Symbol, degrees, negative, total

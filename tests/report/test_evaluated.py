@@ -6,8 +6,8 @@ from fractions import Fraction
 import pytest
 
 from good_mechanisms import CLOSED, compiled, loaded
+from mechc.compilation import compile_source
 from mechc.data_folders import data
-from mechc.driver import compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.layout import TRIGONOMETRIC
 from mechc.formula.to_text import text

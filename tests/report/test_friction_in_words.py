@@ -8,7 +8,7 @@ import pytest
 import mechc
 from good_mechanisms import compiled, loaded
 from mechc.cli.check_lines import report
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.files import find, read
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text

@@ -4,7 +4,7 @@ import pytest
 
 import mechc
 from good_mechanisms import compiled, loaded
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.report.languages.registry import locale
 from mechc.report.roles import with_roles
 from mechc.report.text.derivation import render

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Symbol, number, product, quotient, total

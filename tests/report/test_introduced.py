@@ -7,8 +7,8 @@ import pytest
 from good_mechanisms import ALL, compiled
 from grown import Grown
 from introduced import never_introduced, not_introduced
+from mechc.compilation import Compilation, emit
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.source import Source

@@ -7,8 +7,8 @@ import pytest
 
 import good_mechanisms
 import mechc
+from mechc.compilation import Compilation
 from mechc.data_folders import data
-from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Symbol

@@ -8,8 +8,8 @@ from force_mechanisms import given
 from force_samples import pushing
 from friction_mechanisms import closed
 from good_mechanisms import ALL, compiled
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.target import Options
 from mechc.source import Source

@@ -6,7 +6,7 @@ from typing import get_args
 import pytest
 
 from good_mechanisms import CLOSED, compiled, loaded
-from mechc.driver import Compilation, emit
+from mechc.compilation import Compilation, emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.names import direction_of, split_points

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.driver import Compilation, emit
+from mechc.compilation import Compilation, emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.tree import number

@@ -1,6 +1,6 @@
 """Formulas as a person writes their angles: what an explanation may grow by."""
 
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, product
 from mechc.report.derivation.readable import ReadableDerivation

@@ -8,8 +8,8 @@ from random import Random
 import pytest
 
 from mechc.cli.check_lines import report
+from mechc.compilation import compile_source, emit
 from mechc.diagnostics import MechcError
-from mechc.driver import compile_source, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.formula.rounding import EPS, Rounding

@@ -4,7 +4,7 @@ import pytest
 
 import mechc
 from good_mechanisms import loaded
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.report.text.derivation import render
 from mechc.source import Source
 

@@ -7,10 +7,10 @@ import pytest
 
 import mechc
 from good_mechanisms import compiled, loaded
+from mechc.compilation import Compilation
 from mechc.drawing.drawing import TextRun
 from mechc.drawing.language_letters import spelled
 from mechc.drawing.lettering import name
-from mechc.driver import Compilation
 from mechc.formula.letters import letters
 from mechc.report.languages.registry import LANGUAGES, locale
 from mechc.report.text import note

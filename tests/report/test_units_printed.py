@@ -7,7 +7,7 @@ import pytest
 import mechc
 from mechc.cli import main
 from mechc.cli.check_lines import report
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.files import find, read
 from mechc.report.text.derivation import render
 from mechc.source import Source

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mechc.driver import Compilation, compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.json.to_json import TARGET as JSON
 from mechc.emit.python.to_python import TARGET as PYTHON

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gripping_brake import gripping_brake
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.formula.tree import ZERO, Symbol
 from mechc.model.result import DrivingLoad
 from mechc.routine.evaluate import evaluate, status

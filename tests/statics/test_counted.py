@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 import pytest
 
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.frozen import replace
 from mechc.pose.pose import Pose
 from mechc.source import Source

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import mechc
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.source import Source
 
 PLACES = {"A": (0.0, 0.0), "B": (3.0, 0.4), "C": (1.0, 2.0), "D": (4.2, 1.7)}

@@ -10,7 +10,7 @@ import mechc
 from force_mechanisms import given
 from force_samples import pushing
 from good_mechanisms import ALL, compiled
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.emit.json.to_json import TARGET
 from mechc.emit.target import Options
 from mechc.formula.evaluate import evaluate

@@ -7,7 +7,7 @@ import pytest
 
 import mechc
 from force_trains import train
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.source import Source
 from mechc.statics.friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 

@@ -6,6 +6,7 @@ import pytest
 
 from by_hand import HERE, angle_of, build, force, geometries, in_numbers, result, torque
 from mechc.cli.exit_status import status
+from mechc.compilation import Compilation
 from mechc.diagnostics import Diagnostic, Report
 from mechc.diagnostics.statics import (
     BUGS,
@@ -13,7 +14,6 @@ from mechc.diagnostics.statics import (
     no_equilibrium,
     pose_does_not_close,
 )
-from mechc.driver import Compilation
 from mechc.formula import tree as formula
 from mechc.frozen import replace
 from mechc.model import mechanism as model

@@ -4,7 +4,7 @@ import pytest
 
 from hunt import looked_at
 from hunted import Hunted, Made, made
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.to_text import text
 from mechc.source import Source
 from mechc.study.common_zeros import may_lie_flat

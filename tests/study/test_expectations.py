@@ -5,8 +5,8 @@ from fractions import Fraction
 import pytest
 
 import mechc
+from mechc.compilation import compile_source
 from mechc.diagnostics import Report
-from mechc.driver import compile_source
 from mechc.formula.tree import Call, Formula, Symbol, degrees, number, power, product, total
 from mechc.model.mechanism import Expect, Interval, Mechanism, Parameter, Require
 from mechc.model.result import Definition, Result

@@ -5,7 +5,7 @@ from random import Random
 import pytest
 
 import mechc
-from mechc.driver import compile_source
+from mechc.compilation import compile_source
 from mechc.formula.rounding import Rounding
 from mechc.source import Source
 from small_mechanisms import four_bar

@@ -8,8 +8,8 @@ import pytest
 
 from extents import along, curve, refuted
 from grown import Grown, wide, without_drive
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.formula.tree import Symbol
 from mechc.frozen import replace
 from mechc.report.text.derivation import render
@@ -169,7 +169,7 @@ def test_the_sampler_refutes_what_is_false():
 def test_a_report_goes_without_what_would_take_too_much_work(monkeypatch):
     compilation = of_library("crank_rocker.mech")
     assert compilation.derivation.results
-    monkeypatch.setattr("mechc.driver.Allowance", lambda: Allowance(100))
+    monkeypatch.setattr("mechc.compilation.Allowance", lambda: Allowance(100))
     assert compilation.reported == compilation.derivation
     assert not compilation.report.diagnostics
 

@@ -10,8 +10,8 @@ import pytest
 from friction_chains import chain
 from friction_mechanisms import closed, opened
 from friction_statements import Ratios, as_given, printed, refuted, throughout
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.formula.tree import Symbol
 from mechc.frozen import replace
 from mechc.routine.evaluate import evaluate

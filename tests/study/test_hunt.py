@@ -13,7 +13,7 @@ import hunt
 from conclusions import is_rough, slopes
 from hunt import Outcome, looked_at, outcome, summary
 from hunted import KINDS, Hunted, Made, made
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.tree import Call, Symbol, number, product, total
 from mechc.frozen import replace
 from mechc.model.result import Definition

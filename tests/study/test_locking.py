@@ -12,7 +12,7 @@ from friction_statements import refuted
 from gripping_brake import gripping_brake
 from mechc.api import SolvedMechanism
 from mechc.cli.main import main
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.to_text import text
 from mechc.report.languages.en import LOCALE
 from mechc.source import Source

@@ -6,8 +6,8 @@ import pytest
 
 from conclusions import refuted as followed
 from friction_statements import refuted as refuted_with_friction
+from mechc.compilation import Compilation, complete
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, complete
 from mechc.model.parts.targets import Efficiency, ForceAtJoint, WithFriction
 from mechc.report.text.derivation import render
 from mechc.report.text.stroke import to_table

@@ -6,8 +6,8 @@ from conclusions import refuted as followed
 from force_mechanisms import given
 from force_samples import pushing, tree_of
 from grown import Grown, swept
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.formula.to_text import text
 from mechc.frozen import replace
 from mechc.report.text.derivation import render

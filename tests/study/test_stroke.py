@@ -10,7 +10,7 @@ import small_mechanisms
 from mechc.algebra.product import Product
 from mechc.cli.inputs import source_of
 from mechc.cli.main import main
-from mechc.driver import Compilation, checked
+from mechc.compilation import Compilation, checked
 from mechc.formula.to_text import text as written
 from mechc.formula.walk import symbols
 from mechc.source import Source

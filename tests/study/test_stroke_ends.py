@@ -7,7 +7,7 @@ import pytest
 import mechc
 from good_mechanisms import loaded
 from grown import Grown
-from mechc.driver import Compilation, checked, warnings
+from mechc.compilation import Compilation, checked, warnings
 from mechc.formula.roots import roots
 from mechc.report.text.stroke import to_table
 from mechc.source import Source

@@ -6,8 +6,8 @@ import pytest
 
 from grown import Grown, wide
 from hunted import Hunted, Made, made
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.frozen import replace
 from mechc.report.text.stroke import to_table
 from mechc.source import Source

@@ -7,8 +7,8 @@ import pytest
 import mechc
 from friction_mechanisms import small_closed
 from grown import Grown, wide
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.frozen import replace
 from mechc.source import Source
 from mechc.study.analysis import DeadCentre

@@ -13,8 +13,8 @@ from mechc.algebra.intervals import NumberInterval
 from mechc.algebra.product import ONE, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.compilation import compile_source
 from mechc.diagnostics import Report
-from mechc.driver import compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.rounding import PrintedNumber
 from mechc.formula.to_text import text

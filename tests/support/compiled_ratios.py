@@ -12,7 +12,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.routine.evaluate import evaluate, status
 from mechc.routine.steps import Function, Solve
 from run_targets import COMPILER, built

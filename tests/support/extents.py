@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.routine.evaluate import evaluate
 from mechc.study.analysis import Extent
 from statements import DENSE

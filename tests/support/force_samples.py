@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from force_mechanisms import Sample, given
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError, Report
-from mechc.driver import Compilation
 from mechc.friction.check import broken_promises
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source

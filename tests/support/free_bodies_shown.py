@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.pose.places import Plane
 from mechc.statics.diagram import Acting, Diagram, FreeBody
 

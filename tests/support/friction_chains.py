@@ -4,7 +4,7 @@ import re
 from random import Random
 
 from force_samples import Compiled
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.source import Source
 
 COUPLED = """\

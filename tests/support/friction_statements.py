@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from compiled_ratios import Ratio
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.walk import symbols
 from mechc.model.mechanism import Mechanism
 from mechc.model.parts.targets import SIGNS, Efficiency, WithFriction

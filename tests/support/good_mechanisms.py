@@ -3,8 +3,8 @@
 from functools import cache
 
 import mechc
+from mechc.compilation import Compilation, complete
 from mechc.diagnostics import Report
-from mechc.driver import Compilation, complete
 from mechc.source import Source
 from mechc.syntax import ast
 from mechc.syntax.notation import read

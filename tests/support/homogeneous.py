@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from itertools import count
 from random import Random
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Constant, Formula, Implicit, Symbol
 from mechc.formula.walk import substitute, walk

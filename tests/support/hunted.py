@@ -16,7 +16,7 @@ from grown import Grown, drawn, swept, wide, without_drive
 from homogeneous import on_grid
 from mechanisms import sample
 from mechc.api import SolvedMechanism
-from mechc.driver import Compilation, complete
+from mechc.compilation import Compilation, complete
 from mechc.source import Source
 from mechc.study.stroke.stroke import Stroke
 from mechc.syntax import ast

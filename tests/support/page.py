@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from latex_reader import read
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.evaluate import evaluate

@@ -12,7 +12,7 @@ from random import Random
 import numpy as np
 import numpy.typing as npt
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.routine.evaluate import evaluate as run
 from mechc.syntax import ast
 from reference_geometry import (

@@ -24,8 +24,8 @@ import stroke_statements
 from compiled_ratios import in_c, library
 from homogeneous import uneven
 from hunted import Hunted
+from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
 from mechc.emit.c.real import REALS
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.registry import targets

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Options
 from mechc.files import library, mechanisms

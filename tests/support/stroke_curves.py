@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.model.parts.targets import (
     Axial,
     Efficiency,

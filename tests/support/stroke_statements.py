@@ -12,7 +12,7 @@ import numpy as np
 
 from friction_statements import NEAR, STATES, Ratios, run
 from mechc.api import SolvedMechanism
-from mechc.driver import Compilation
+from mechc.compilation import Compilation
 from mechc.study.analysis import Acted, DeadCentre
 from mechc.study.stroke.stroke import Stroke
 

@@ -2,9 +2,9 @@
 
 import pytest
 
+from mechc.compilation import Compilation
 from mechc.diagnostics import Diagnostic, MechcError, Report
 from mechc.diagnostics.render import render
-from mechc.driver import Compilation
 from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.settings import attached, parse, put_in

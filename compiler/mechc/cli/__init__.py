@@ -13,4 +13,4 @@ TYPE_CHECKING = False
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    __getattr__ = waiting(__name__, {"by_click", "compilations", "store_answers"})
+    __getattr__ = waiting(__name__, {"by_click", "opening", "store_answers"})

@@ -2,15 +2,15 @@
 
 from collections.abc import Iterable
 
+from ..compilation import Compilation, complete, warnings
 from ..diagnostics import MechcError
-from ..driver import Compilation, complete, warnings
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .check_lines import failing, overview_of, report
-from .compilations import opened
 from .exit_status import status
 from .inputs import expanded, settings_option, stdin_option
+from .opening import opened
 from .session import session, session_options
 from .terminal import line_width, say
 from .usage import Word, descriptions

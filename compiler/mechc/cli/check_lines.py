@@ -5,8 +5,8 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
+from ..compilation import Compilation
 from ..diagnostics import Diagnostic, Severity
-from ..driver import Compilation
 from ..formula.evaluate import evaluate
 from ..formula.rewriting import plus_first
 from ..formula.to_text import text, text_in_degrees

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from .. import witness
+from ..compilation import Compilation, checked, emit, warnings
 from ..diagnostics import near_miss
-from ..driver import Compilation, checked, emit, warnings
 from ..emit import registry
 from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
@@ -13,7 +13,6 @@ from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .collisions import claim, refuse_collisions
-from .compilations import opened
 from .inputs import (
     by_option,
     claim_of,
@@ -22,6 +21,7 @@ from .inputs import (
     settings_option,
     stdin_option,
 )
+from .opening import opened
 from .output_paths import OutputPath, makefile_rule, outputs, placed, refuse_idle
 from .session import session, session_options
 from .terminal import give

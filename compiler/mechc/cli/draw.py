@@ -3,12 +3,12 @@
 from collections.abc import Mapping
 from pathlib import Path
 
+from ..compilation import Compilation, checked, warnings
 from ..diagnostics import MechcError
 from ..diagnostics.drawing import no_free_bodies, no_plans, nothing_to_draw
 from ..drawing.drawing import Drawing
 from ..drawing.language_letters import in_letters
 from ..drawing.moving import Marks
-from ..driver import Compilation, checked, warnings
 from ..emit.picture import FORMATS, in_format_of
 from ..emit.svg.picture import to_svg
 from ..files import write_all
@@ -19,8 +19,8 @@ from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .collisions import refuse_collisions
-from .compilations import opened
 from .inputs import claim_of, description_argument, settings_option, stdin_option
+from .opening import opened
 from .session import session, session_options
 from .terminal import give
 from .usage import Word

@@ -13,7 +13,7 @@ from ..diagnostics import MechcError
 from ..files import library, read
 from ..named import NamedTuple
 from ..syntax.vocabulary import LANGUAGES
-from . import compilations, usage
+from . import opening, usage
 from .terminal import give, line_width, say
 from .usage import Word
 
@@ -77,7 +77,7 @@ def _titled(name: str, path: Path, language: str) -> ListedMechanism:
     source = read(path)
     made_from, *noted = _noted().get(name, (0,))
     is_same = made_from == checksum(source.text) and len(noted) == len(LANGUAGES)
-    in_each = noted if is_same else compilations.titles(source)
+    in_each = noted if is_same else opening.titles(source)
     return ListedMechanism(name, in_each[LANGUAGES.index(language)], "", "")
 
 
@@ -96,7 +96,7 @@ def checksum(text: str) -> int:
 def noted() -> str:
     """Return the titles of the library as the text of their file, a line for each."""
     sources = {name: read(path) for name, path in library().items()}
-    lines = {n: [checksum(s.text), *compilations.titles(s)] for n, s in sources.items()}
+    lines = {n: [checksum(s.text), *opening.titles(s)] for n, s in sources.items()}
     shown = (
         f"{json.dumps(n)}: {json.dumps(line, ensure_ascii=False)}" for n, line in lines.items()
     )
@@ -104,7 +104,7 @@ def noted() -> str:
 
 
 def _row(name: str, path: Path, language: str) -> ListedMechanism:
-    return ListedMechanism(name, *compilations.title_source_and_result(read(path), language))
+    return ListedMechanism(name, *opening.title_source_and_result(read(path), language))
 
 
 def _json(row: ListedMechanism) -> str:

@@ -8,8 +8,8 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
+from ..compilation import Compilation
 from ..data_folders import data
-from ..driver import Compilation
 from ..files import library, mechanisms, read, write_all
 from ..named import NamedTuple
 from .make_gallery import HEADING as PICTURES

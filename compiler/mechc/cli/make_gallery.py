@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from html import escape
 from pathlib import Path
 
+from ..compilation import Compilation
 from ..data_folders import data
-from ..driver import Compilation
 from ..emit.svg.picture import to_svg
 from ..files import make_folder, mechanisms, read, write_all
 from .list import NOTED, noted

@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from ..compilation import checked, warnings
 from ..diagnostics import MechcError
 from ..drawing.from_plot import picture
-from ..driver import checked, warnings
 from ..emit.picture import PLOT_FORMATS, PlotPicture
 from ..emit.svg.picture import to_svg
 from ..files import write_all
@@ -19,8 +19,8 @@ from ..syntax.settings import Settings, parse
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .collisions import refuse_collisions
-from .compilations import check_names, opened
 from .inputs import claim_of, description_argument, settings_option, stdin_option
+from .opening import check_names, opened
 from .session import session, session_options
 from .terminal import give, watched
 from .usage import WholeNumber, Word

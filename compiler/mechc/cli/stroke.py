@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator, Sequence
 
-from ..driver import checked, warnings
+from ..compilation import checked, warnings
 from ..report.text.csv_of_stroke import DIALECTS, to_csv
 from ..report.text.stroke import to_table
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
-from .compilations import opened
 from .inputs import description_argument, settings_option, stdin_option
+from .opening import opened
 from .session import session, session_options
 from .terminal import give, line_width, say, watched
 from .usage import WholeNumber, Word

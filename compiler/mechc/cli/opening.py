@@ -1,7 +1,7 @@
 """Compilations of what a command was given, and what a list of the library needs of them."""
 
+from ..compilation import Compilation
 from ..diagnostics import near_miss
-from ..driver import Compilation
 from ..formula.to_text import text
 from ..model.statements import only
 from ..source import Source
