@@ -140,7 +140,7 @@ class Pipeline:
 
     def _used(self, source: Source, is_part: bool) -> Used:
         """Return a used description: a sheet, a part, or a mechanism with its solution."""
-        from .calculation.taken import solved
+        from .calculation.mechanism_results import solved
         from .model.uses.driven import with_driven
 
         used = Pipeline(source, users=self.users)

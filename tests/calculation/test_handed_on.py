@@ -1,6 +1,6 @@
 """What a sheet takes from a mechanism: numbers that the drawing gives, and conditions of loops."""
 
-from mechc.calculation.taken import solved
+from mechc.calculation.mechanism_results import solved
 from mechc.formula.tree import ZERO, Symbol, number
 from mechc.frozen import replace
 from mechc.model.mechanism import Parameter, Require

@@ -109,7 +109,7 @@ def _vanishes_with(sum_: Sum, part: Trig) -> bool:
 
     It is measured by its terms somewhere else: there all of them may be zero.
     """
-    values = Anything()
+    values = GenericValues()
     size = max(abs(term.evaluate(values)) for term in sum_.terms)
     name, c = part.angle.terms[0]
     zero = 0.0 if part.function == "sin" else math.pi / 2
@@ -117,8 +117,8 @@ def _vanishes_with(sum_: Sum, part: Trig) -> bool:
     return abs(math.fsum(term.evaluate(values) for term in sum_.terms)) <= ROUNDED_SUM * size
 
 
-class Anything(dict[str, float]):
-    """A number between one and two for every name."""
+class GenericValues(dict[str, float]):
+    """A value between one and two for every name, at which nothing vanishes by chance."""
 
     def __missing__(self, name: str) -> float:
         self[name] = value = 1 + crc32(name.encode()) / 2**32

@@ -21,7 +21,7 @@ from ..named import NamedTuple
 from ..work import kept, spend
 from .angle import RADIAN, Angle, Rational
 from .factors import Factor, Length, Opaque, Trig
-from .halving import Anything
+from .halving import GenericValues
 from .modular import PARTS, PRIME, ModularPoint
 from .product import Product, Sum
 from .sums import BoundSum
@@ -173,9 +173,9 @@ def _plain_order(product: Product, name: str, value: Angle) -> int | None:
 
     A sum whose value at any one place is no rounding is not zero everywhere.
     """
-    generic = Anything()
+    generic = GenericValues()
     sizes = {f: _size(f, generic) for f in product.factors if isinstance(f, Sum)}
-    values = Anything(generic)
+    values = GenericValues(generic)
     values[name] = value.evaluate(values)
     total = 0
     for factor, exponent in product.factors.items():

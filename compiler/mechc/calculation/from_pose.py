@@ -18,8 +18,8 @@ from ..model.values import Chain, Values, compare, default_pose, following, user
 from ..pose.pose import Pose, PoseDefinition
 from ..power.definitions import let_results
 from .calculation import Calculation, Check
+from .mechanism_results import is_at_rest, resting_on_sheet, with_values
 from .signs import doubtful, negative_sizes
-from .taken import is_at_rest, taken, with_values
 
 
 def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
@@ -32,7 +32,7 @@ def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
     pose = _with_conditions_of(solved, pose)
     mechanism = pose.mechanism
     given = {**default_pose(mechanism)}
-    brought = tuple(with_values(taken(mechanism, solved), given))
+    brought = tuple(with_values(resting_on_sheet(mechanism, solved), given))
     own = tuple(let_results(pose, brought, report))
     given |= {r.name: r.default for r in brought if r.default is not None}
     lets = user_defined(mechanism)

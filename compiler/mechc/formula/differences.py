@@ -15,7 +15,7 @@ from .positive_divisors import (
     NO_SIGN,
     divisor,
     is_below,
-    over_positive,
+    over_positive_differences,
     with_opposites,
 )
 from .rewriting import (
@@ -247,7 +247,7 @@ def _sines_turned(formula: Formula, at: SharedEvaluation) -> Formula:
     whole = rebuild(formula, parts) if parts != children(formula) else formula
     match whole:
         case Product(factors):
-            above = over_positive(factors, at) or whole
+            above = over_positive_differences(factors, at) or whole
             factors = above.factors if isinstance(above, Product) else factors
             return _turned_in_pairs(factors, at) or above
         case Sum(terms):

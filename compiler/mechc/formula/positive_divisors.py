@@ -14,14 +14,14 @@ NO_SIGN = 1e-9
 """A sine or a sum that is smaller is 0 but for rounding, and has no sign."""
 
 
-def with_positive_divisors(formula: Formula, values: Mapping[str, float]) -> Formula:
+def arcs_of_positive_divisors(formula: Formula, values: Mapping[str, float]) -> Formula:
     """Return −atan(a/(b − 1)) as atan(a/(1 − b)) where b − 1 is negative at the values.
 
     >>> from .tree import ONE, Symbol, quotient
     >>> from .to_text import text
     >>> a, b = map(Symbol, "ab")
     >>> bound = negative(Call("atan", (quotient(a, total([b, negative(ONE)])),)))
-    >>> text(with_positive_divisors(bound, {"a": 0.1, "b": 0.2}))
+    >>> text(arcs_of_positive_divisors(bound, {"a": 0.1, "b": 0.2}))
     'atan(a/(1 - b))'
     """
     at = SharedEvaluation(values)
@@ -47,7 +47,7 @@ def _is_below_zero(factor: Formula, at: SharedEvaluation) -> bool:
     return isinstance(factor, Sum) and is_below(factor, at)
 
 
-def over_positive(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
+def over_positive_differences(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
     """Return a product divided by positive differences, a minus before it if need be.
 
     M/(a − b) is −M/(b − a) where a is smaller; what is negative above the line is turned, too.

@@ -147,8 +147,8 @@ class _Slope:
 
     def is_steep(self, x: float) -> bool:
         """Return whether the ratio changes fast, passes zero or has no value."""
-        step, here = DIFFERENCE * self._scale, self._sweep.standing(self._ideal, x)
-        before, after = (self._sweep.standing(self._ideal, x + s) for s in (-step, step))
+        step, here = DIFFERENCE * self._scale, self._sweep.value_of(self._ideal, x)
+        before, after = (self._sweep.value_of(self._ideal, x + s) for s in (-step, step))
         first, last = (v if math.isfinite(v) else here for v in (before, after))
         if not first * last > 0:
             return True

@@ -91,7 +91,7 @@ def _over_ranges(code: PoseCode, result: Analysis) -> Iterator[Extent]:
         return
     for one in _of_trends(code.mechanism, result, ["turns"]):
         sweep = Sweep(code, one.parameter, one.range)
-        extremes = _extremes(partial(sweep.standing, result), spaced(*one.range, EXTENT_CELLS))
+        extremes = _extremes(partial(sweep.value_of, result), spaced(*one.range, EXTENT_CELLS))
         if extremes:
             low, high = least_and_greatest(extremes)
             yield replace(one, least=low, greatest=high)

@@ -7,7 +7,7 @@ from itertools import chain, groupby, pairwise
 from ..algebra.from_formula import to_product
 from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
-from ..formula.positive_divisors import with_positive_divisors
+from ..formula.positive_divisors import arcs_of_positive_divisors
 from ..formula.solved import AngleSolution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import symbols
@@ -222,7 +222,9 @@ class _Intervals:
             if exact is not None and symbols(exact).isdisjoint(varying) and _is_short(exact):
                 shown = exact if solution.period else to_product(exact).formula()
                 return Bound(
-                    evaluate(exact, values), with_positive_divisors(shown, values), is_dead_centre
+                    evaluate(exact, values),
+                    arcs_of_positive_divisors(shown, values),
+                    is_dead_centre,
                 )
         return Bound(x, None, is_dead_centre)
 

@@ -80,7 +80,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     grid = _with(grid, _beside_ends(moving, grid))
     grid = _with(grid, _in_cells(_edge, moving, grid))
     grid = _with(
-        grid, _bulging(moving, grid), _turning_beside_breaks(moving, grid), _loose(moving, grid)
+        grid, _bulging(moving, grid), _turning_next_to_breaks(moving, grid), _loose(moving, grid)
     )
     return _with(grid, _extremes(moving, grid))
 
@@ -344,7 +344,7 @@ def _is_steady(values: Sequence[float]) -> bool:
     return len(values) == 4 and (all(rises) or all(falls))
 
 
-def _turning_beside_breaks(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+def _turning_next_to_breaks(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     """Yield where an efficiency is lowest or highest within a cell that ends at a break.
 
     No neighbour beyond a jump, or the end of a range, shows anything of that; a value just before

@@ -78,7 +78,7 @@ class IdealAlong:
 
     def at(self, x: float) -> float:
         """Return the ratio."""
-        return self.sweep.standing(self.result, x)
+        return self.sweep.value_of(self.result, x)
 
     def is_dead_centre(self, x: float) -> bool:
         """Return whether the ratio is 0 or infinite, but for rounding, or there is none."""
@@ -256,7 +256,7 @@ class Moving:
     def _value(self, result: Result, x: float) -> float | None:
         """Return a result's value, NaN where its system says that there is none."""
         if not self._ratios.ways(result):
-            found = self.sweep.standing(result, x)
+            found = self.sweep.value_of(result, x)
             return found if math.isfinite(found) else None
         found, values = self.sweep.whole(result, x)
         if math.isfinite(found):

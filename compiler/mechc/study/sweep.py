@@ -51,7 +51,7 @@ class Sweep(PoseSweep):
             self._functions[key] = formula, where, value
         return self._functions[key][2]
 
-    def standing(self, result: Result, x: float) -> float:
+    def value_of(self, result: Result, x: float) -> float:
         """Return a result's value, NaN as well where there is no pose."""
         return math.nan if self.trouble(x) else self.of(result.formula, result, x)
 
@@ -117,7 +117,7 @@ class Sweep(PoseSweep):
         self, result: Result, x: float, number: float | None = None
     ) -> float | None:
         """Return a result's value, ``number`` if that is known, without what is only rounding."""
-        known = self.standing(result, x) if number is None else number
+        known = self.value_of(result, x) if number is None else number
 
         def look(at: Result) -> Looked:
             form = self.form_at(at, x)

@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterator, Sequence, Set
 
 from ...diagnostics import Diagnostic
-from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import doubts as messages
+from ...diagnostics.model import sizes
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol
 from ...formula.walk import reached, symbols

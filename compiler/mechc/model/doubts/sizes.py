@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
 
 from ...diagnostics import Diagnostic
-from ...diagnostics.model import doubtful_sizes as messages
+from ...diagnostics.model import sizes as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols

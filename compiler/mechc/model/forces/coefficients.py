@@ -3,8 +3,8 @@
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 
-from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import friction as messages
+from ...diagnostics.model import sizes
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Number, number
 from ...formula.walk import symbols

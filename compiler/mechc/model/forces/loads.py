@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 from fractions import Fraction
 
-from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import loads as messages
-from ...diagnostics.model import names
+from ...diagnostics.model import names, sizes
 from ...diagnostics.model import slots_and_spread_loads as lowering_messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import (

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import combinations
 
-from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import friction as messages
+from ...diagnostics.model import sizes
 from ...formula.tree import Formula, number, product
 from ...source import Span
 from ...syntax import ast

@@ -8,8 +8,7 @@ from fractions import Fraction
 from typing import assert_never
 
 from ...diagnostics import Report
-from ...diagnostics.model import doubtful_sizes as sizes
-from ...diagnostics.model import names, quantities, reactions
+from ...diagnostics.model import names, quantities, reactions, sizes
 from ...formula.tree import (
     PI,
     ZERO,

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TypeGuard
 
-from ...diagnostics.model import doubtful_sizes as doubts
 from ...diagnostics.model import sheets as messages
+from ...diagnostics.model import sizes
 from ...syntax import ast
 from ...units import FREQUENCY, LENGTH, NUMBER, POWER, TORQUE, UNITS, VELOCITY, Dimension
 from ..constants import expressions_in, leaves
@@ -90,7 +90,7 @@ def note_unit_factor(statement: ast.Let, dimension: Dimension, scope: NameScope)
     factor = next((part for part in parts if _is_factor_between_units(part)), None)
     if frequency and factor:
         found = (factor.digits, frequency, BY_A_FACTOR[dimension])
-        scope.report.add(doubts.factor_between_units(factor.span, *found))
+        scope.report.add(sizes.factor_between_units(factor.span, *found))
 
 
 def _is_frequency(part: ast.Expr, scope: NameScope) -> TypeGuard[ast.Symbol]:

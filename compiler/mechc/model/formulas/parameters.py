@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from itertools import chain
 
 from ...diagnostics import Report
-from ...diagnostics.model import doubtful_sizes, doubts, quantities
+from ...diagnostics.model import doubts, quantities, sizes
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols
@@ -111,7 +111,7 @@ def _tolerance(parameter: Parameter, statement: ast.Param, scope: NameScope) -> 
     doubt = _doubt(found, parameter, scope.sheet) if found else None
     if doubt:
         place = statement.tolerance.span
-        scope.report.add(doubtful_sizes.tolerance_of_all(place, parameter.name, doubt))
+        scope.report.add(sizes.tolerance_of_all(place, parameter.name, doubt))
     return found
 
 
@@ -121,7 +121,7 @@ WIDE = math.radians(10) * (1 - SAME_VALUE)
 
 def _doubt(
     tolerance: Formula, parameter: Parameter, is_sheet: bool
-) -> "doubtful_sizes.ToleranceDoubt | None":
+) -> "sizes.ToleranceDoubt | None":
     """Return in which way a tolerance is too large, None where it may be meant."""
     size = evaluate(tolerance, {})
     if parameter.value and _is_of_all(tolerance, parameter.value, parameter, is_sheet):

@@ -158,12 +158,12 @@ def looked_up(
 ) -> ConditionalFormula | None:
     """Return the value of a table at an argument, on the condition that it reaches so far."""
     name = lookup.table.text
-    if not _known(lookup.table, tables.tables, "table", scope):
+    first_arguments = {each: rows[0][0] for each, rows in tables.tables.items()}
+    what = f"the argument of table '{name}'"
+    at = _sought(lookup.at, lookup.table, "table", first_arguments, what, scope)
+    if not at:
         return None
-    rows = tables.tables.get(name)
-    at = Reader(scope, FORMULA).read(lookup.at)
-    if not rows or not at or not _fits(at, rows[0][0], f"the argument of table '{name}'", scope):
-        return None
+    rows = tables.tables[name]
     parts = [part.formula for row in rows for part in row]
     if lookup.exactly:
         return _row_of(at, parts, rows[0][1].sort, lookup, let)
@@ -227,13 +227,14 @@ def _row_of(
 def next_size(
     wanted: ast.NextSize, let: ast.Let, tables: Tables, scope: NameScope
 ) -> ConditionalFormula | None:
+    """Return the next size of a list, on the condition that the largest one is enough."""
     name = wanted.sizes.text
-    if not _known(wanted.sizes, tables.sizes, "list", scope):
+    smallest = {each: sizes[0] for each, sizes in tables.sizes.items()}
+    what = f"a size of list '{name}'"
+    least = _sought(wanted.least, wanted.sizes, "list", smallest, what, scope)
+    if not least:
         return None
-    sizes = tables.sizes.get(name)
-    least = Reader(scope, FORMULA).read(wanted.least)
-    if not sizes or not least or not _fits(least, sizes[0], f"a size of list '{name}'", scope):
-        return None
+    sizes = tables.sizes[name]
     formula = Call("next", (least.formula, *(size.formula for size in sizes)))
     last, subject = sizes[-1].formula, Subject("list", name, let.name.text)
     dimension = sizes[0].dimension
@@ -241,8 +242,23 @@ def next_size(
     return ConditionalFormula(MeasuredFormula(formula, sizes[0].sort, wanted.span), (largest,))
 
 
-def _fits(found: MeasuredFormula, like: MeasuredFormula, what: str, scope: NameScope) -> bool:
-    return fits(found, like.dimension, what, scope)
+def _sought(
+    written: ast.Expr,
+    name: ast.Name,
+    kind: str,
+    first: Mapping[str, MeasuredFormula],
+    what: str,
+    scope: NameScope,
+) -> MeasuredFormula | None:
+    """Return the quantity looked up in a table or list, by the ``first`` quantities of these.
+
+    None where there is no such table or list, or that measures something else: it is reported.
+    """
+    if not _known(name, first, kind, scope):
+        return None
+    found = Reader(scope, FORMULA).read(written)
+    like = first.get(name.text)
+    return found if found and like and fits(found, like.dimension, what, scope) else None
 
 
 def _known(name: ast.Name, known: Mapping[str, object], kind: str, scope: NameScope) -> bool:

@@ -4,8 +4,7 @@ import math
 from collections.abc import Iterator
 
 from ...diagnostics import Report, drawn_places, stroke
-from ...diagnostics.model import doubtful_sizes as sizes
-from ...diagnostics.model import doubts, held, quantities
+from ...diagnostics.model import doubts, held, quantities, sizes
 from ...diagnostics.model import joints as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula

@@ -6,8 +6,7 @@ from fractions import Fraction
 
 from ...diagnostics import Diagnostic, Report
 from ...diagnostics import uses as uses_messages
-from ...diagnostics.model import doubtful_sizes as sizes
-from ...diagnostics.model import doubts, quantities
+from ...diagnostics.model import doubts, quantities, sizes
 from ...diagnostics.model import results as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol

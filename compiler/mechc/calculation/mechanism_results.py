@@ -1,6 +1,7 @@
 """Results that a sheet takes from mechanisms, with what the sheet gives to these.
 
-:func:`solved` is a mechanism by its own names, :func:`taken` its results as those of the sheet.
+:func:`solved` is a mechanism by its own names,
+:func:`resting_on_sheet` its results as those of the sheet.
 """
 
 from collections.abc import Iterator, Mapping
@@ -62,7 +63,7 @@ class _Whole(NamedTuple):
     has_other: bool
 
 
-def taken(mechanism: Mechanism, solved: UsedSolution) -> tuple[Result, ...]:
+def resting_on_sheet(mechanism: Mechanism, solved: UsedSolution) -> tuple[Result, ...]:
     """Return the results of used mechanisms, each resting on parameters of the sheet alone.
 
     What the sheet gives to a mechanism stands among the definitions of its results.
