@@ -52,3 +52,14 @@ def test_a_side_is_seen_from_as_far_as_rounding_asks() -> None:
 
 def test_a_side_with_no_values_farther_away_is_seen_from_where_there_is_one() -> None:
     assert side(lambda x: 2.0 if x < 1e-6 else math.nan, 0.0, 1e-8) == 2.0
+
+
+def test_a_side_is_seen_no_farther_than_two_distances_agree() -> None:
+    looked_at: list[float] = []
+
+    def straight(x: float) -> float:
+        looked_at.append(x)
+        return 2 + 3 * x
+
+    assert side(straight, 0.0, 1e-8) == pytest.approx(2, abs=1e-14)
+    assert max(looked_at) < 1e-6

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from itertools import pairwise
+from operator import itemgetter
 
 from ..named import NamedTuple
 from .roots import LEFT_AT_ZERO, TOUCHED_ZERO, RealFunction
@@ -89,12 +90,16 @@ def side(function: RealFunction, x: float, away: float) -> float:
     >>> round(side(lambda x: 2 + 3 * x + 1e-12 / x, 0.0, 1e-8), 6)  # rounded worse the nearer
     2.0
     """
-    found = [_parabola_at_zero([function(x + n * d * away) for n in (1, 2, 3)]) for d in FARTHER]
-    if not all(map(math.isfinite, found)):
-        return function(x + away)
-    gaps = [abs(far - near) for near, far in pairwise(found)]
-    alike = (y for y, gap in zip(found, gaps, strict=False) if gap <= ALIKE * abs(y))
-    return next(alike, found[gaps.index(min(gaps))])
+    seen = (_parabola_at_zero([function(x + n * d * away) for n in (1, 2, 3)]) for d in FARTHER)
+    found: list[tuple[float, float]] = []
+    for near, far in pairwise(seen):
+        gap = abs(far - near)
+        if not math.isfinite(gap):
+            return function(x + away)
+        if gap <= ALIKE * abs(near):
+            return near
+        found.append((gap, near))
+    return min(found, key=itemgetter(0))[1]
 
 
 def _parabola_at_zero(values: Sequence[float]) -> float:
