@@ -7,7 +7,7 @@ from itertools import compress
 from ..formula.evaluate import straight_line
 from ..formula.straight_line import in_order
 from ..formula.tree import Definitions, Formula
-from ..formula.walk import reached, symbols
+from ..formula.walk import Mentions, reached, symbols
 from ..model.mechanism import Require
 from ..model.result import Result
 from ..model.values import Values, compare
@@ -30,7 +30,7 @@ def form(formula: Formula, where: Result | None, names: Set[str]) -> FormulaCode
     """
     if where is None:
         return alone(formula, names)
-    known = _with_new(names, where.where)
+    known = _with_defined(names, where.where)
     guards = _valued(where.guards, known)
     if where.elsewhere is None and not guards:
         return alone(formula, names, where.where)
@@ -72,7 +72,7 @@ def together(
     One that rests on anything else is NaN; a name that has a value keeps it.
     """
     new = {name: f for name, f in definitions if name not in names}
-    known = _with_new(names, definitions)
+    known = _with_defined(names, definitions)
     is_valued = [_is_known(formula, known) for formula in formulas]
     valued = [*compress(formulas, is_valued)]
     followed = reached(symbols(*valued), new)
@@ -94,7 +94,7 @@ def holding(
     conditions: Sequence[Require], names: Set[str], definitions: Definitions = ()
 ) -> Callable[[Values], bool]:
     """Return the function that says whether conditions hold, of those that have a value."""
-    guards = _valued(conditions, _with_new(names, definitions))
+    guards = _valued(conditions, _with_defined(names, definitions))
     if not guards:
         return lambda values: True
     sides = together([*_sides(guards)], names, definitions)
@@ -106,11 +106,11 @@ def _valued(guards: Sequence[Require], known: Set[str]) -> list[Require]:
     return [g for g in guards if _is_known(g.left, known) and _is_known(g.right, known)]
 
 
-def _with_new(names: Set[str], definitions: Definitions) -> Set[str]:
+def _with_defined(names: Set[str], definitions: Definitions) -> Set[str]:
     """Return the names that have values, those among them that definitions give one."""
-    known = set(names)
+    known, needs = set(names), Mentions()
     for name, formula in definitions:
-        if _is_known(formula, known):
+        if needs.of(formula) <= known:
             known.add(name)
     return known
 

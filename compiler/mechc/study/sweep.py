@@ -1,8 +1,8 @@
 """Results along one parameter, and what of them is nothing but rounding."""
 
 import math
-from collections.abc import Iterator, Sequence
-from functools import cached_property, partial
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from ..formula.rounding import beyond_rounding
@@ -12,7 +12,7 @@ from ..friction import at_rest
 from ..model.result import Result
 from ..model.values import Looked, Values, of_sound_form, valid_form
 from .forms import together
-from .pose_sweep import Functions, PoseSweep, keeping
+from .pose_sweep import Functions, PoseCode, PoseSweep, keeping
 from .tolerances import SAME_SIDES, SIDE
 
 if TYPE_CHECKING:
@@ -22,15 +22,21 @@ if TYPE_CHECKING:
 class Sweep(PoseSweep):
     """Evaluates formulas of results in the poses along a parameter."""
 
-    @cached_property
-    def _senses(self) -> dict[int, tuple[Definitions, Functions | None]]:
-        """Return the senses that were asked for, by the definitions that they are in."""
-        return {}
+    def __init__(
+        self,
+        code: PoseCode,
+        parameter: str,
+        ends: Sequence[float] = (),
+        loads: Mapping[str, float] | None = None,
+    ) -> None:
+        """Take what a :class:`PoseSweep` takes.
 
-    @cached_property
-    def _functions(self) -> dict[tuple[int, int], "tuple[Formula, Result | None, RealFunction]"]:
-        """Return the functions that were asked for, by the formula and the result that it is of."""
-        return {}
+        Functions are kept by the formula and the result that they are of, senses of slips by the
+        definitions that they are in.
+        """
+        super().__init__(code, parameter, ends, loads)
+        self._functions: dict[tuple[int, int], tuple[Formula, Result | None, RealFunction]] = {}
+        self._senses: dict[int, tuple[Definitions, Functions | None]] = {}
 
     def of(self, formula: Formula, where: Result | None, x: float) -> float:
         """Return a formula's value, with the definitions of a result; NaN where it has none.
