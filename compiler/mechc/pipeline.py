@@ -35,7 +35,7 @@ from .study.analysis import as_printed
 from .study.expectations import Finding, compare
 from .syntax import ast
 from .syntax.notation import read
-from .syntax.settings import Settings, attached, driven_by, put_in
+from .syntax.settings import Settings, attached, driven_by, with_settings
 from .version import VERSION
 from .work import Allowance
 
@@ -129,7 +129,7 @@ class Pipeline:
     @Stage
     def composed(self) -> ast.File:
         """The tree with all that it uses and the settings put in."""
-        return self._sound(put_in(self._with_used.file, self.settings, self.source))
+        return self._sound(with_settings(self._with_used.file, self.settings, self.source))
 
     @Stage
     def _with_used(self) -> Composed:
@@ -141,7 +141,7 @@ class Pipeline:
     def _used(self, source: Source, is_part: bool) -> Used:
         """Return a used description: a sheet, a part, or a mechanism with its solution."""
         from .calculation.mechanism_results import solved
-        from .model.uses.driven import with_driven
+        from .model.uses.free_coordinates import with_free_coordinates
 
         used = Pipeline(source, users=self.users)
         file, mechanism = used.composed, used.mechanism
@@ -150,7 +150,7 @@ class Pipeline:
             return Used(file, mechanism, used.source, inner.solved, mechanisms=inner.mechanisms)
         used.run(["verdict"])  # what the free bodies refute is not handed on
         pose = used.pose
-        file = with_driven(file, pose.mechanism)
+        file = with_free_coordinates(file, pose.mechanism)
         return Used(file, pose.mechanism, used.source, solved(pose, used.solution.results))
 
     @Stage

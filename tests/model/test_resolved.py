@@ -28,7 +28,7 @@ from mechc.model.mechanism import (
 from mechc.model.values import dependent
 from mechc.source import Source
 from mechc.syntax.notation import read
-from mechc.syntax.settings import attached, parse, put_in
+from mechc.syntax.settings import attached, parse, with_settings
 from mechc.units import ANGLE, FORCE, LENGTH, PRESSURE
 
 CLAMP = """\
@@ -323,7 +323,7 @@ def test_a_setting_measures_what_the_file_says(setting: str, message: str) -> No
     given = dict([parse(setting)])
     source = attached(Source("clamp.mech", CLAMP), given)
     report = Report(source)
-    tree = put_in(read(source, report), given, source)
+    tree = with_settings(read(source, report), given, source)
     with pytest.raises(MechcError, match=message) as caught:
         resolve(tree, report)
     assert len(caught.value.diagnostics) == 1

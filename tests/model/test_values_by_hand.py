@@ -11,13 +11,13 @@ from mechc.frozen import fields, replace
 from mechc.model.mechanism import Let, Mechanism, Parameter, Require
 from mechc.model.result import ClosedLoop, Definition, Result, UsedSolution
 from mechc.model.values import (
-    Looked,
+    PrintedForm,
     following,
     of_sound_form,
     user_defined,
     usual_units,
     valid_form,
-    valued,
+    valued_form,
 )
 from mechc.source import Source, Span
 from mechc.units import LENGTH, NUMBER
@@ -46,11 +46,11 @@ def test_the_form_that_stands_is_that_whose_conditions_hold(result, x, found):
 
 @pytest.mark.parametrize(("x", "found"), [(1.0, (HERE, 1.0)), (-1.0, (ELSEWHERE, 2.0))])
 def test_the_form_that_stands_comes_with_its_value(x, found):
-    assert valued(HERE, {"x": x}) == found
+    assert valued_form(HERE, {"x": x}) == found
 
 
 def test_what_a_formula_needs_and_is_not_given_leaves_it_without_a_value():
-    assert valued(replace(ALONE, guards=()), {}) == (replace(ALONE, guards=()), None)
+    assert valued_form(replace(ALONE, guards=()), {}) == (replace(ALONE, guards=()), None)
 
 
 @pytest.mark.parametrize(
@@ -64,9 +64,11 @@ def test_what_a_formula_needs_and_is_not_given_leaves_it_without_a_value():
     ],
 )
 def test_what_is_zero_but_for_rounding_is_looked_at_in_the_form_for_elsewhere(value, size, found):
-    def look(result: Result) -> Looked:
+    def look(result: Result) -> PrintedForm:
         is_here = result is HERE
-        return Looked(result, value if is_here else 2.0, PrintedNumber(size if is_here else 2.0))
+        return PrintedForm(
+            result, value if is_here else 2.0, PrintedNumber(size if is_here else 2.0)
+        )
 
     assert of_sound_form(HERE, look).number == found
 
@@ -88,7 +90,7 @@ def test_solutions_are_added_kind_by_kind():
 
 
 def test_without_another_form_zero_stays_zero():
-    assert of_sound_form(ALONE, lambda r: Looked(r, 1e-17, PrintedNumber(0.0))).number == 0
+    assert of_sound_form(ALONE, lambda r: PrintedForm(r, 1e-17, PrintedNumber(0.0))).number == 0
 
 
 @pytest.mark.parametrize(

@@ -7,14 +7,14 @@ from mechc.diagnostics import Diagnostic, MechcError, Report
 from mechc.diagnostics.render import render
 from mechc.source import Source
 from mechc.syntax.notation import read
-from mechc.syntax.settings import attached, parse, put_in
+from mechc.syntax.settings import attached, parse, with_settings
 from mechc.syntax.to_dsl import to_dsl
 
 
 def applied(text: str, *settings: str) -> str:
     given = dict(map(parse, settings))
     source = attached(Source("m.mech", text), given)
-    return to_dsl(put_in(read(source, Report(source)), given, source))
+    return to_dsl(with_settings(read(source, Report(source)), given, source))
 
 
 @pytest.mark.parametrize(
@@ -43,7 +43,7 @@ def test_range_label_and_other_parameters_stay() -> None:
 def test_messages_point_at_the_setting() -> None:
     given = dict(map(parse, ["b=30mm", "a = 1 + b"]))
     source = attached(Source("m.mech", "param b = 1 mm\nparam a = 10 mm\n"), given)
-    tree = put_in(read(source, Report(source)), given, source)
+    tree = with_settings(read(source, Report(source)), given, source)
     first, second = (s.value for s in tree.statements)  # type: ignore[attr-defined]
     assert source.written(first.span) == "30 mm"
     assert source.written(second.terms[1][1].span) == "b"

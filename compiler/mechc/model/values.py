@@ -290,31 +290,31 @@ def valid_form(result: Result, values: Values) -> Result | None:
     None where a condition of either is broken. What has no value stands. Definitions that
     have a value keep it: what loops find may have been followed there from another pose.
     """
-    found = valued(result, values)
+    found = valued_form(result, values)
     return found and found.form
 
 
-class Valued(NamedTuple):
+class ValuedForm(NamedTuple):
     """The form of a result that stands, and its value; None where something it needs has none."""
 
     form: Result
     value: float | None
 
 
-def valued(result: Result, values: Values) -> Valued | None:
+def valued_form(result: Result, values: Values) -> ValuedForm | None:
     """Return the form of :func:`valid_form` with its value, which is found on the way."""
     known = completed(values, (d for d in result.where if d.name not in values))
     sound = all(holds(guard, known) for guard in result.guards)
     is_known = symbols(result.formula) <= known.keys()
     value = evaluate(result.formula, known) if sound and is_known else None
     if sound and not (value is not None and math.isnan(value)):
-        return Valued(result, value)
+        return ValuedForm(result, value)
     if result.elsewhere is None:
-        return Valued(result, value) if sound else None
-    return valued(result.elsewhere, values)
+        return ValuedForm(result, value) if sound else None
+    return valued_form(result.elsewhere, values)
 
 
-class Looked(NamedTuple):
+class PrintedForm(NamedTuple):
     """What is seen of a result in a pose: the form that stands, its value, and that as printed."""
 
     form: Result
@@ -322,7 +322,7 @@ class Looked(NamedTuple):
     size: PrintedNumber
 
 
-def of_sound_form(result: Result, look: Callable[[Result], Looked]) -> PrintedNumber:
+def of_sound_form(result: Result, look: Callable[[Result], PrintedForm]) -> PrintedNumber:
     """Return the size of a result in a pose where ``look`` says what is seen of each form.
 
     Where a form is 0 but for rounding, a sign in it may be what is rounded: the one for elsewhere
@@ -339,32 +339,32 @@ def compare(left: float, relation: str, right: float) -> bool:
     return _COMPARE[relation](left, right)
 
 
-CIRCLES = 8
-"""Circles found in one run; more are a broken generator's work."""
+MOST_CYCLES = 8
+"""Cycles found in one run; more are a broken generator's work."""
 
 
 NeededNames = Mapping[str, set[str]]
 
 
 def ordered(needs: NeededNames) -> tuple[list[str], list[list[str]]]:
-    """Return the names in order, without those in circles, and the circles as ``a b a``.
+    """Return the names in order, without those in cycles, and the cycles as ``a b a``.
 
     >>> ordered({"a": {"b"}, "b": set(), "c": {"d"}, "d": {"c"}})[0]
     ['b', 'a']
     >>> ordered({"a": {"a"}})
     ([], [['a', 'a']])
     """
-    circles: list[list[str]] = []
-    while len(circles) < CIRCLES:
+    cycles: list[list[str]] = []
+    while len(cycles) < MOST_CYCLES:
         try:
-            return list(_sorter(needs).static_order()), circles
+            return list(_sorter(needs).static_order()), cycles
         except CycleError as error:
-            circle: list[str] = error.args[1]
+            cycle: list[str] = error.args[1]
             # The sorter gives each name before the one that needs it.
-            circles.append(circle[::-1])
-            gone = set(circle)
+            cycles.append(cycle[::-1])
+            gone = set(cycle)
             needs = {name: wanted - gone for name, wanted in needs.items() if name not in gone}
-    return list(_free(needs)), circles
+    return list(_free(needs)), cycles
 
 
 def _sorter(needs: NeededNames) -> TopologicalSorter[str]:
@@ -373,7 +373,7 @@ def _sorter(needs: NeededNames) -> TopologicalSorter[str]:
 
 
 def _free(needs: NeededNames) -> Iterator[str]:
-    """Yield the names that no circle blocks."""
+    """Yield the names that no cycle blocks."""
     sorter = _sorter(needs)
     with suppress(CycleError):
         sorter.prepare()

@@ -20,15 +20,15 @@ from ..model.mechanism import Contact, Find, Force, LoadForm, LoadRatio
 from ..model.result import Result
 from ..model.values import (
     Chain,
-    Looked,
-    Valued,
+    PrintedForm,
+    ValuedForm,
     completed,
     defaults,
     dependent,
     of_sound_form,
     range_of,
     user_defined,
-    valued,
+    valued_form,
 )
 from ..pose.pose import Pose
 from .balance import AlgebraicResult, Balance
@@ -86,19 +86,21 @@ class DefaultNumbers:
         NaN that no condition makes is 0/0 or a pole. What has conditions may have a form for
         elsewhere, in which names mean something else: it shares none of them.
         """
-        return of_sound_form(result, self._looked_at)
+        return of_sound_form(result, self._printed_form)
 
-    def _looked_at(self, result: Result) -> Looked:
+    def _printed_form(self, result: Result) -> PrintedForm:
         is_shared = not result.guards and self._chained.takes(result.where)
         values = self._chained.values if is_shared else self.values
         rounding = self._chained.rounding if is_shared else self._rounding
         form, number = form_of(result, values)
         if number is not None and math.isnan(number) and not result.guards:
             nowhere = without_value(result.formula, result.where, rounding)
-            return Looked(result, number, nowhere)
+            return PrintedForm(result, number, nowhere)
         if number is not None and math.isnan(number) and is_call(form.formula, "atan2"):
-            return Looked(form, number, PrintedNumber(None, undetermined=True))
-        return Looked(form, number, beyond_rounding(number, form.formula, form.where, rounding))
+            return PrintedForm(form, number, PrintedNumber(None, undetermined=True))
+        return PrintedForm(
+            form, number, beyond_rounding(number, form.formula, form.where, rounding)
+        )
 
 
 class _Chained:
@@ -231,17 +233,17 @@ def value_of(result: Result, values: Mapping[str, float]) -> float | None:
     return form_of(result, values).value
 
 
-def form_of(result: Result, values: Mapping[str, float]) -> Valued:
+def form_of(result: Result, values: Mapping[str, float]) -> ValuedForm:
     """Return the form of a result that stands at given values, itself where none does.
 
     With it comes the value of the result there, as :func:`value_of` has it.
     """
-    found = valued(result, values)
+    found = valued_form(result, values)
     if found and found.form is result:
         return found
     known = completed(values, (d for d in result.where if d.name not in values))
     form, value = found or (result, math.nan)
-    return Valued(form, value if symbols(result.formula) <= known.keys() else None)
+    return ValuedForm(form, value if symbols(result.formula) <= known.keys() else None)
 
 
 def _check_branch(balance: Balance, values: Mapping[str, float], report: Report) -> bool:

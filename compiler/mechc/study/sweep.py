@@ -10,7 +10,7 @@ from ..formula.tree import Definitions, Formula, is_call
 from ..formula.walk import symbols
 from ..friction import at_rest
 from ..model.result import Result
-from ..model.values import Looked, Values, of_sound_form, valid_form
+from ..model.values import PrintedForm, Values, of_sound_form, valid_form
 from .forms import together
 from .pose_sweep import Functions, PoseCode, PoseSweep, keeping
 from .tolerances import SAME_SIDES, SIDE
@@ -125,10 +125,12 @@ class Sweep(PoseSweep):
         """Return a result's value, ``number`` if that is known, without what is only rounding."""
         known = self.value_of(result, x) if number is None else number
 
-        def look(at: Result) -> Looked:
+        def look(at: Result) -> PrintedForm:
             form = self.form_at(at, x)
             value = known if at is result else self.of(at.formula, at, x)
-            return Looked(form, value, beyond_rounding(value, form.formula, form.where, rounding))
+            return PrintedForm(
+                form, value, beyond_rounding(value, form.formula, form.where, rounding)
+            )
 
         rounding = self.rounding(x)
         return of_sound_form(result, look).number

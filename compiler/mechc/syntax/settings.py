@@ -67,7 +67,7 @@ def attached(source: Source, settings: Settings) -> Source:
     return replace(source, attached=tuple(s.source for s in settings.values()))
 
 
-def put_in(tree: ast.File, settings: Settings, source: Source) -> ast.File:
+def with_settings(tree: ast.File, settings: Settings, source: Source) -> ast.File:
     """Return the tree with the values of the named parameters replaced, and named loads given.
 
     Their places are those of the settings' texts in the source that they are attached to.

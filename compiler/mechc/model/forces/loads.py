@@ -300,9 +300,9 @@ def _check_ties(loads: Sequence[Load], scope: NameScope) -> None:
     """Report ties that form a cycle."""
     ties = {load.name: load for load in loads if load.tie}
     needs = {name: symbols(load.tie) & ties.keys() for name, load in ties.items() if load.tie}
-    for circle in ordered({name: set(wanted) for name, wanted in needs.items()})[1]:
-        places = [ties[name].span for name in circle[:-1]]
-        scope.report.add(names.circular_definition(places[0], circle, places[1:]))
+    for cycle in ordered({name: set(wanted) for name, wanted in needs.items()})[1]:
+        places = [ties[name].span for name in cycle[:-1]]
+        scope.report.add(names.circular_definition(places[0], cycle, places[1:]))
 
 
 def _check_given_once(loads: Sequence[Load], file: ast.File, scope: NameScope) -> None:

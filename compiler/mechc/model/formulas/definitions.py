@@ -87,12 +87,12 @@ def _by_name(file: ast.File, scope: NameScope) -> dict[str, DefiningStatement]:
 
 
 def _ordered(statements: Mapping[str, DefiningStatement], scope: NameScope) -> list[str]:
-    """Return the names so that each follows those it needs; report circles."""
-    order, circles = ordered({name: _needs(s, statements) for name, s in statements.items()})
-    for circle in circles:
-        places = _places([statements[name] for name in circle[:-1]], scope)
-        scope.used.update(circle)
-        scope.report.add(names.circular_definition(places[0], circle, places[1:]))
+    """Return the names so that each follows those it needs; report cycles."""
+    order, cycles = ordered({name: _needs(s, statements) for name, s in statements.items()})
+    for cycle in cycles:
+        places = _places([statements[name] for name in cycle[:-1]], scope)
+        scope.used.update(cycle)
+        scope.report.add(names.circular_definition(places[0], cycle, places[1:]))
     return order
 
 

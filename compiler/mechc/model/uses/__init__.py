@@ -8,5 +8,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ...later import waiting
 
-    SELDOM = {"composing", "put_in"}
+    SELDOM = {"composing", "mechanism_statements"}
     __getattr__ = waiting(__name__, SELDOM)

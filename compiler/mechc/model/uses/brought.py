@@ -17,7 +17,7 @@ from ..mechanism import Parameter
 from ..result import Result, UsedSolution
 from ..statements import declared, is_sheet
 from ..translations import spoken, words
-from . import put_in
+from . import mechanism_statements
 from .composed import Used
 
 
@@ -61,12 +61,18 @@ def _of_a_mechanism(
     values = {p.name for p in used.mechanism.parameters}
     yield from (s for s in used.file.statements if _feeds(s, used, values))
     results = {r.name for r in solved.results}
-    rows = tuple(put_in.following(solved, given.keys() | (results & used.loads.keys())))
+    rows = tuple(
+        mechanism_statements.following(solved, given.keys() | (results & used.loads.keys()))
+    )
     known = values | results | {row.name for row in rows}
-    wanted = (put_in.needed(solved) | given.keys()) - known
-    yield from (put_in.load(load, here) for name, load in used.loads.items() if name in wanted)
-    yield from (put_in.taken(result, here, used.mechanism) for result in solved.results)
-    yield from (put_in.formula(row, here.span) for row in rows)
+    wanted = (mechanism_statements.needed(solved) | given.keys()) - known
+    yield from (
+        mechanism_statements.load(load, here) for name, load in used.loads.items() if name in wanted
+    )
+    yield from (
+        mechanism_statements.taken(result, here, used.mechanism) for result in solved.results
+    )
+    yield from (mechanism_statements.formula(row, here.span) for row in rows)
 
 
 def _there(use: ast.Use, used: Used) -> ast.Use:
@@ -117,7 +123,7 @@ def given_to(use: ast.Use, used: Used, report: Report) -> Mapping[str, ast.Expr]
         else:
             found[name.text] = value
         places.setdefault(name.text, name.span)
-    for above, below in put_in.ratios(used.solved):
+    for above, below in mechanism_statements.ratios(used.solved):
         if above in found and below in found:
             where = places[above], above, below, places[below]
             report.add(messages.given_both_loads(*where))

@@ -8,7 +8,7 @@ from ..mechanism import Mechanism, Parameter, Subassembly
 from ..parts.loads import Load
 from ..result import UsedSolution
 from ..statements import every
-from . import put_in
+from . import mechanism_statements
 
 DOTTED = pattern(r"\w\.[A-Z]")
 """What a point of a part is written with: T.C."""
@@ -47,7 +47,7 @@ class Used(NamedTuple):
     @property
     def loads(self) -> dict[str, Load]:
         """Its loads that may be given a value, by their names there."""
-        return put_in.open_loads(self.mechanism, self.solved)
+        return mechanism_statements.open_loads(self.mechanism, self.solved)
 
 
 class Composed(NamedTuple):

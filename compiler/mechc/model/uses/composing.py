@@ -27,7 +27,7 @@ from .composed import DOTTED, Composed, Used
 from .joining import part_of
 from .joint_points import UsedPart, WholeMechanism, points_of_parts, structural
 from .part_names import Renaming, spelled_out
-from .renamed import renamed
+from .prefixed import prefixed
 
 MOST_SHEETS = 64
 """Sheets that one is put together from, itself included."""
@@ -120,7 +120,7 @@ class _Composing:
         if not _is_sheet(self._file) and (used.solved.results or not is_sheet(used.mechanism)):
             self._report.add(messages.mechanism_in_a_mechanism(use.used.span, used.span))
             return None
-        self._solved += renamed(without_given(used, use), use.prefix.text, used.start)
+        self._solved += prefixed(without_given(used, use), use.prefix.text, used.start)
         self._mechanisms += _mechanisms(use.prefix.text, used)
         self._prefixes += _prefixes(use.prefix.text, used)
         found = tuple(brought_in(use, used, self._report))

@@ -20,7 +20,7 @@ from ..result import (
 Rename = Callable[[str], str]
 
 
-def renamed(solved: UsedSolution, prefix: str, by: int) -> UsedSolution:
+def prefixed(solved: UsedSolution, prefix: str, by: int) -> UsedSolution:
     """Return the solution with a prefix before every name, and its spans moved on."""
     return _Renaming(prefix, by).solved(solved)
 

@@ -13,7 +13,7 @@ from ..mechanism import Mechanism, Parameter
 from ..statements import every
 
 
-def with_driven(file: ast.File, mechanism: Mechanism) -> ast.File:
+def with_free_coordinates(file: ast.File, mechanism: Mechanism) -> ast.File:
     """Return a file in which each free coordinate is declared with the value of the drawing."""
     free = {p.name: p for p in mechanism.parameters if p.value and not p.dependent}
     declared = {param.name.text for param in every(file, ast.Param)}
