@@ -28,7 +28,7 @@ from mechc.friction.normal_forces import (
     _vanishes,
     loaded_pairs,
     scaled,
-    without_standing,
+    without_slips_at_rest,
     without_unloaded,
 )
 from mechc.friction.pairs import Component, FrictionPair, LoadedPair
@@ -363,7 +363,7 @@ def test_a_slip_that_is_rounding_at_any_pose_is_zero():
     always = add([crank * sine(at(phi=1)), -(rod * sine(at(beta=1)))])
     once = add([Product.symbol("b"), -Product.symbol("a"), Product(Fraction(1, 10))])
     assert abs(number_of(once)) < 1e-12
-    found = without_standing([always, once, crank], plan(pose))
+    found = without_slips_at_rest([always, once, crank], plan(pose))
     assert [bool(slip) for slip in found] == [False, True, True]
 
 

@@ -15,8 +15,8 @@ from friction_statements import refuted
 from good_mechanisms import begun
 from mechc.model.parts.targets import LoadRatio
 from mechc.study import sampling
-from mechc.study.ratios import Study
-from mechc.study.sampling import looked_at
+from mechc.study.ratios import FrictionStudy
+from mechc.study.sampling import sampled_values
 from reference_balance import ratio
 from reference_forces import Forces
 from reference_geometry import defined
@@ -73,7 +73,7 @@ def hold_to_free_bodies(seed: int, places: int) -> int:
     """Compare states and efficiencies at random places with free bodies; return how many."""
     text, dice = chain(seed), Random(seed + 1)
     made = made_of(text)
-    study, compared = Study(made.compilation.solution), 0
+    study, compared = FrictionStudy(made.compilation.solution), 0
     for name, sense in MOTIONS.items():
         target = next(r.target for r in made.compilation.solution.results if r.name == name)
         for reach in result(made, name).locking.reaches:
@@ -102,7 +102,7 @@ def _is_in(place: float, low: float, high: float) -> bool:
 def hold_to_sampling(seed: int) -> None:
     """Compare what an efficiency is said to run through with a dense sampling."""
     made = made_of(chain(seed))
-    study, eta = Study(made.compilation.solution), result(made, "eta_k")
+    study, eta = FrictionStudy(made.compilation.solution), result(made, "eta_k")
     for efficiency in eta.efficiency_ranges:
         moving = study.moving(eta.target.of, eta.target.sense, efficiency.parameter)
         low, high = efficiency.range
@@ -184,12 +184,12 @@ def test_beside_a_pole_what_sticks_is_stated_where_iteration_gives_up():
 
 
 def test_dead_centres_are_looked_for_once_for_both_ways_of_the_motion(monkeypatch):
-    study = Study(begun("karpenko_fig9_with_friction").solution)
+    study = FrictionStudy(begun("karpenko_fig9_with_friction").solution)
     of = LoadRatio("P", "F")
     there, back = (study.moving(of, sense, "alpha") for sense in ("tightening", "releasing"))
     ends = (-0.5, 1.5)  # sin(alpha + beta) is zero at -7 deg between them
-    assert looked_at(there, *ends)
+    assert sampled_values(there, *ends)
     monkeypatch.setattr(sampling, "_dead_centres", None)
-    assert looked_at(back, *ends)
+    assert sampled_values(back, *ends)
     (centre,) = back.ideal_along.centres[ends]
     assert math.degrees(centre) == pytest.approx(-7)

@@ -18,7 +18,7 @@ from mechc.report.languages.en import LOCALE
 from mechc.source import Source
 from mechc.study.analysis import Analysis
 from mechc.study.intervals import EfficiencyRange, Locking, LockingInterval, LockingIntervals
-from mechc.study.states import Moving
+from mechc.study.states import RatioAlong
 from paths import LIBRARY
 from small_mechanisms import slider_crank, wedges
 from sources import in_thirds
@@ -1044,12 +1044,12 @@ def test_nothing_is_stated_of_values_at_which_nothing_is_found(monkeypatch, unkn
     text_ = SLIDER_CRANK.replace("diameter 12 mm", "diameter 90 mm")
     low, high = stretches(text_, "k_f")[0].within
     first, last = (low + part * (high - low) for part in unknown)
-    found = Moving._real
+    found = RatioAlong._real
 
-    def real(moving: Moving, x: float) -> float | None:
+    def real(moving: RatioAlong, x: float) -> float | None:
         return None if first < x < last else found(moving, x)
 
-    monkeypatch.setattr(Moving, "_real", real)
+    monkeypatch.setattr(RatioAlong, "_real", real)
     for stretch in stretches(text_, "k_f"):
         assert stretch.sampled
         begins, ends = stretch.within

@@ -30,10 +30,9 @@ from mechc.study.analysis import Acted, Break, DeadCentre, Vanishing
 from mechc.study.expectations import random_poses
 from mechc.study.forms import holding
 from mechc.study.ratios import sizes
-from mechc.study.sampling import _beside_ends, _jumps, _loose
-from mechc.study.sampling import looked_at as values_looked_at
-from mechc.study.states import AgainstFriction, Moving, StateFound, divisors_of_terms
-from mechc.study.stroke.columns import Filled, named_apart
+from mechc.study.sampling import _jumps, _loose, _next_to_ends, sampled_values
+from mechc.study.states import AgainstFriction, RatioAlong, StateFound, divisors_of_terms
+from mechc.study.stroke.columns import FilledColumn, named_apart
 from mechc.study.stroke.extrema import _is_shown, extrema, turns_between
 from mechc.study.stroke.rows import from_both_sides
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
@@ -397,7 +396,9 @@ def test_what_the_default_pose_is_not_on_cannot_be_reached():
 
 
 def test_columns_of_one_name_differ():
-    columns = [Filled(StrokeColumn("k", LENGTH, c), abs) for c in ("result", "slope", "slope")]
+    columns = [
+        FilledColumn(StrokeColumn("k", LENGTH, c), abs) for c in ("result", "slope", "slope")
+    ]
     assert [f.column.name for f in named_apart(columns)] == ["k", "k (slope)", "k (slope)'"]
 
 
@@ -444,7 +445,7 @@ def test_independence_is_concluded_of_what_the_geometry_is_given_by(name, expect
     assert mechc.load(name).results["k"].independent == expected
 
 
-class ByHand(Moving):
+class ByHand(RatioAlong):
     """A ratio as a function of its parameter; with friction there is half of it everywhere."""
 
     is_slow = False
@@ -479,7 +480,7 @@ SLIDING = SimpleNamespace(off_rest=lambda where, x: [])
 """A sweep on which every slip has a sense."""
 
 
-def with_friction(kind: type[Moving], real: float | None, ideal: float) -> Moving:
+def with_friction(kind: type[RatioAlong], real: float | None, ideal: float) -> RatioAlong:
     """Return a ratio that is the same everywhere, ``real`` with friction."""
 
     class Constant(kind):
@@ -495,7 +496,7 @@ def with_friction(kind: type[Moving], real: float | None, ideal: float) -> Movin
     return Constant(SimpleNamespace(sweep=SLIDING, result=None), IDEAL)
 
 
-class AtRest(Moving):
+class AtRest(RatioAlong):
     """A ratio that is zero at 0.5, and 1.1 or 0.9 of it with friction, where a slip is 0."""
 
     def __init__(self) -> None:
@@ -534,7 +535,7 @@ def test_beside_a_dead_centre_both_ratios_are_taken_where_the_slip_has_a_sense()
     ],
 )
 def test_something_moves_where_the_ratio_keeps_its_sign(ideal, real, state, efficiency, margin):
-    moving = with_friction(Moving, real, ideal)
+    moving = with_friction(RatioAlong, real, ideal)
     assert moving.at(0.0).state == state
     assert moving.efficiency(0.0) == pytest.approx(efficiency, nan_ok=True)
     assert moving.margin(0.0) == margin
@@ -564,7 +565,7 @@ def test_a_drive_against_friction_alone_moves_where_an_effort_balances(
 def test_a_dead_centre_that_is_only_touched_is_looked_at(power: int) -> None:
     """A ratio that is zero or infinite at 0.31 has the same sign on both sides of it."""
     moving = ByHand(lambda x: (x - 0.31) ** power if x != 0.31 else 0.0)
-    found = values_looked_at(moving, 0.0, 1.0)
+    found = sampled_values(moving, 0.0, 1.0)
     assert min(abs(x - 0.31) for x in found) < 1e-6
 
 
@@ -574,7 +575,7 @@ def test_a_zero_hides_next_to_the_pole_of_a_term() -> None:
     moving = ByHand(
         lambda x: (x - zero) / (x - pole) if x != pole else math.inf, lambda x: x - pole
     )
-    found = values_looked_at(moving, 0.0, 1.0)
+    found = sampled_values(moving, 0.0, 1.0)
     for place in (zero, pole):
         assert min(abs(x - place) for x in found) < 1e-6
 
@@ -600,8 +601,8 @@ def test_beside_the_end_of_a_loop_something_may_move_between_two_jammed_values()
 
     moving = Island(lambda x: 1.0 if x > 0 else 0.0)
     grid = [-0.5, 0.0, 1e-6, 1.0, 2.0]
-    assert any(0.01 < x < 0.03 for x in _beside_ends(moving, grid))
-    assert list(_beside_ends(moving, [1e-6, 1.0, 2.0])) == []
+    assert any(0.01 < x < 0.03 for x in _next_to_ends(moving, grid))
+    assert list(_next_to_ends(moving, [1e-6, 1.0, 2.0])) == []
 
 
 @pytest.mark.parametrize("top", [0.001, 0.999])
@@ -612,7 +613,7 @@ def test_a_highest_efficiency_hides_in_the_cell_at_an_end(top):
         def efficiency(self, x: float) -> float:
             return 0.8 - 0.5 * abs(x - top)
 
-    assert min(abs(x - top) for x in values_looked_at(Kink(math.cos), 0.0, 1.0)) < 1e-5
+    assert min(abs(x - top) for x in sampled_values(Kink(math.cos), 0.0, 1.0)) < 1e-5
 
 
 @pytest.mark.parametrize(("value", "shown"), [(3e-12, False), (0.0, False), (0.004, True)])

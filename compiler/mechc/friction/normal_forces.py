@@ -66,7 +66,7 @@ def loaded_pairs(
     pose = plan.graph.pose
     names = {load_of(pair): pair.name for pair in pairs}
     reactions = Reactions(pose, (driving,), partial(_with_others, pairs), (plan,))
-    slips = without_standing([_slip(pair, plan, equations, driving) for pair in pairs], plan)
+    slips = without_slips_at_rest([_slip(pair, plan, equations, driving) for pair in pairs], plan)
     (load,) = (load for load in pose.mechanism.loads if load.name == driving)
     driven = occurrences(pose.mechanism, load)
     loaded = []
@@ -209,7 +209,7 @@ SPREAD = 0.1
 """How far a parameter is moved: radians, or parts of what else it is."""
 
 
-def without_standing(slips: Sequence[Product], plan: Plan) -> list[Product]:
+def without_slips_at_rest(slips: Sequence[Product], plan: Plan) -> list[Product]:
     """Return slips, per unit speed of the drive; exactly zero where they are so at any pose.
 
     What is joined to one rigid part turns as one. The algebra takes an angle of a triangle for any

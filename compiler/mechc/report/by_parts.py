@@ -194,7 +194,7 @@ def _value(part: Formula, known: KnownQuantities) -> GivenQuantity | None:
     units = {name: quantity.unit for name, quantity in known.quantities.items()}
     angles = [name for name, unit in units.items() if unit == "deg"]
     size = Rounding(values).of(part)
-    near = _beside(values) if size.is_zero else values
+    near = _values_nearby(values) if size.is_zero else values
     if size.is_zero and Rounding(near).of(part).is_zero:
         return None
     unit = found_unit(Definition("_", part), known.usual, angles, near, units)
@@ -202,6 +202,6 @@ def _value(part: Formula, known: KnownQuantities) -> GivenQuantity | None:
     return GivenQuantity(value, unit) if unit is not None and isfinite(value) else None
 
 
-def _beside(values: Mapping[str, float]) -> dict[str, float]:
+def _values_nearby(values: Mapping[str, float]) -> dict[str, float]:
     """Return values that are each a little larger, none by the same part as another."""
     return {name: v * (1 + SHIFT * i) for i, (name, v) in enumerate(sorted(values.items()), 1)}

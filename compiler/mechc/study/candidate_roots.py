@@ -111,10 +111,10 @@ def is_refuted(root: AngleRoot, of: RatioSide) -> bool:
     if not names <= of.near.keys() or not names.isdisjoint(of.defined):
         return False
     far, near = FROM_ROOT
-    sizes = _beside(root, far, of)
+    sizes = _sizes_nearby(root, far, of)
     if not sizes:
         return _meets_another(root, of)
-    return _is_otherwise(sizes, of.side) and _is_otherwise(_beside(root, near, of), of.side)
+    return _is_otherwise(sizes, of.side) and _is_otherwise(_sizes_nearby(root, near, of), of.side)
 
 
 def _is_otherwise(sizes: Sequence[float], side: int) -> bool:
@@ -134,7 +134,7 @@ def _meets_another(root: AngleRoot, of: RatioSide) -> bool:
     return any(abs(evaluate(f.formula(), there)) < VANISHES_TOO for f in known)
 
 
-def _beside(root: AngleRoot, step: float, of: RatioSide) -> list[float]:
+def _sizes_nearby(root: AngleRoot, step: float, of: RatioSide) -> list[float]:
     """Return the sizes of a value a step from a root, and half of one; none where it has none."""
     x = root.value.evaluate(of.near)
     here = ({**of.given, root.name: x + h} for h in (step, step / 2))

@@ -20,8 +20,8 @@ from ..model.result import FrictionResult, Result
 from ..model.values import range_of
 from .pose_sweep import PoseCode
 from .ratios import sizes
-from .sampling import looked_at
-from .states import FrictionRatios, Ideal, Moving
+from .sampling import sampled_values
+from .states import FrictionRatios, IdealRatio, RatioAlong
 from .sweep import Sweep
 from .tolerances import DIFFERENCE
 from .variables import moved, shown, spans, turns
@@ -72,7 +72,7 @@ class _Comparison:
         assert isinstance(find.target, WithFriction)
         self._solution, self._find = solution, find
         self._ideal, self._real = ideal, real
-        self._ratios = FrictionRatios(Ideal(ideal), real, find.target.sense)
+        self._ratios = FrictionRatios(IdealRatio(ideal), real, find.target.sense)
         self._mechanism = solution.plan.graph.pose.mechanism
         self._loads = sizes(self._mechanism, real)
         self._code = PoseCode(solution.plan)
@@ -91,16 +91,16 @@ class _Comparison:
             given = self._given(here, 0.0)
             report.add(messages.efficiency_beside_friction(self._find.span, given, found))
 
-    def _moving(self, name: str) -> Moving:
+    def _moving(self, name: str) -> RatioAlong:
         sweep = Sweep(self._code, name, loads=self._loads)
         return self._ratios.along(self._ratios.ideal_along(sweep))
 
-    def _given(self, moving: Moving, x: float) -> float:
+    def _given(self, moving: RatioAlong, x: float) -> float:
         efficiency, values = self._mechanism.friction.efficiency, moving.sweep.values(x)
         known = efficiency is not None and symbols(efficiency) <= values.keys()
         return evaluate(efficiency, values) if efficiency is not None and known else math.nan
 
-    def _is_far(self, moving: Moving, x: float) -> bool:
+    def _is_far(self, moving: RatioAlong, x: float) -> bool:
         return abs(self._given(moving, x) - moving.efficiency(x)) > SAME_CONSTANT
 
     def _along(self, name: str) -> Iterator[str]:
@@ -108,7 +108,7 @@ class _Comparison:
         ends, moving = range_of(name, self._mechanism), self._moving(name)
         if ends is None:
             return
-        grid = looked_at(moving, *ends)
+        grid = sampled_values(moving, *ends)
         for part in spans(grid, lambda x: self._is_far(moving, x)):
             inside = [x for x in grid if part[0] <= x <= part[1]]
             values = [moving.efficiency(x) for x in (*part, *inside)]

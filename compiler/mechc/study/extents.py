@@ -146,7 +146,7 @@ def _extremes(at: RealFunction, grid: Sequence[float]) -> list[Extreme]:
         for sense in (1, -1):
             if sense * values[i] <= min(sense * values[i - 1], sense * values[i + 1]):
                 turning.append(_turning(at, sense, grid[i - 1], grid[i + 1]))
-    turning += _beside_ends(at, grid, values)
+    turning += _next_to_ends(at, grid, values)
     most = max(map(abs, values))
     return [Extreme(x, _without_rounding(at(x), most)) for x in turning]
 
@@ -156,7 +156,7 @@ def _without_rounding(value: float, most: float) -> float:
     return 0.0 if abs(value) < SAME_FIGURE * most else value
 
 
-def _beside_ends(
+def _next_to_ends(
     at: RealFunction, grid: Sequence[float], values: Sequence[float]
 ) -> Iterator[float]:
     """Yield where a result turns within the first and the last cell, beyond both ends of it."""

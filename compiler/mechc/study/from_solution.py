@@ -73,15 +73,15 @@ def analyse(solution: FrictionSolution, report: Report) -> tuple[Analysis, ...]:
     return tuple(analyses)
 
 
-def _study(solution: FrictionSolution) -> "ratios.Study":
-    return ratios.Study(solution)
+def _study(solution: FrictionSolution) -> "ratios.FrictionStudy":
+    return ratios.FrictionStudy(solution)
 
 
 def _concluded(
     item: AlgebraicResult | SolvedWithFriction,
     solution: FrictionSolution,
     numbers: DefaultNumbers,
-    study: "Callable[[], ratios.Study]",
+    study: "Callable[[], ratios.FrictionStudy]",
     part: Allowance,
 ) -> Analysis:
     """Return a result with what is known of it: zeros, poles, breaks, trends."""
@@ -161,7 +161,7 @@ def _sloping(
 
 
 def _with_friction(
-    result: Result, balance: Balance, study: "Callable[[], ratios.Study]"
+    result: Result, balance: Balance, study: "Callable[[], ratios.FrictionStudy]"
 ) -> Analysis:
     """Return a result as it is printed, with where the mechanism moves at all.
 

@@ -16,9 +16,9 @@ from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
 from .intervals import Bound, DriveState, Locking, LockingInterval, LockingIntervals, Range
-from .ratios import Study
-from .sampling import DEAD_CENTRE_CELLS, before_dead_centre, dead_centre, looked_at, nearest
-from .states import Moving
+from .ratios import FrictionStudy
+from .sampling import DEAD_CENTRE_CELLS, before_dead_centre, dead_centre, nearest, sampled_values
+from .states import RatioAlong
 from .tolerances import EXACT, HALF_THE_DIGITS, NEARLY
 from .variables import last, turns, unit_of, varying
 
@@ -37,7 +37,7 @@ MOST_SOLVED_OPERATIONS = 200
 SolveFor = Callable[[Formula, str], Iterator[AngleSolution]]
 
 
-def locking(study: Study, real: Result, printed: Result) -> Locking | None:
+def locking(study: FrictionStudy, real: Result, printed: Result) -> Locking | None:
     """Return where a ratio with friction is locked or jammed; None where it has no values.
 
     ``printed`` is the same as it is printed, which is what is solved for angles.
@@ -62,7 +62,7 @@ def locking(study: Study, real: Result, printed: Result) -> Locking | None:
 
 
 def _reach(
-    name: str, window: Range, moving: Moving, printed: Result, study: Study
+    name: str, window: Range, moving: RatioAlong, printed: Result, study: FrictionStudy
 ) -> LockingIntervals:
     """Return the stretches of a parameter on which nothing moves."""
     mechanism = study.mechanism
@@ -76,7 +76,7 @@ def _reach(
 # ---------------------------------------------------------------------- what is looked at
 
 
-def _window(name: str, is_moved: bool, moving: Moving, study: Study) -> Range | None:
+def _window(name: str, is_moved: bool, moving: RatioAlong, study: FrictionStudy) -> Range | None:
     """Return the interval that is examined: the range, and around an open pose more than it.
 
     Not more of an angle of friction, on which the ratio without friction does not rest.
@@ -95,7 +95,7 @@ def _window(name: str, is_moved: bool, moving: Moving, study: Study) -> Range | 
     )
 
 
-def _next_dead_centre(start: float, beyond: float, moving: Moving) -> float:
+def _next_dead_centre(start: float, beyond: float, moving: RatioAlong) -> float:
     """Return the next dead centre, or where nothing more is looked at."""
     driven = moving.driven(start)
     if driven is None:
@@ -118,14 +118,14 @@ class _Intervals:
     """
 
     name: str
-    moving: Moving
+    moving: RatioAlong
     printed: Result
     range: Range | None
     least: float
 
     def found(self, low: float, high: float) -> Iterator[LockingInterval]:
         """Yield the stretches in their order."""
-        grid = looked_at(self.moving, low, high, self.range or ()) if low < high else []
+        grid = sampled_values(self.moving, low, high, self.range or ()) if low < high else []
         first = 0
         for state, group in groupby(self._states(grid)):
             last = first + len(list(group)) - 1

@@ -12,24 +12,24 @@ from ..model.result import FrictionResult, Result
 from ..model.values import range_of
 from .intervals import USUAL, EfficiencyRange, Range
 from .pose_sweep import PoseCode
-from .sampling import looked_at
-from .states import FrictionRatios, Ideal, IdealAlong, Moving
+from .sampling import sampled_values
+from .states import FrictionRatios, IdealAlong, IdealRatio, RatioAlong
 from .sweep import Sweep
 from .tolerances import SAME_EFFICIENCY
 from .variables import moved, spans, unit_of, varying
 
 
-class Study:
+class FrictionStudy:
     """What is looked at in a mechanism with friction: locking, jams and efficiencies alike."""
 
     def __init__(self, solution: FrictionSolution) -> None:
         self.solution = solution
         self.mechanism = solution.plan.graph.pose.mechanism
         self._code = PoseCode(solution.plan)
-        self._ideals: dict[str, Ideal] = {}
+        self._ideals: dict[str, IdealRatio] = {}
         self._ideals_along: dict[tuple[str, bool, str, frozenset[str]], IdealAlong] = {}
         self._ratios: dict[tuple[str, Sense], FrictionRatios] = {}
-        self._moving: dict[tuple[str, Sense, str], Moving] = {}
+        self._moving: dict[tuple[str, Sense, str], RatioAlong] = {}
         self._sweep: dict[tuple[str, frozenset[str]], Sweep] = {}
 
     def ideal(self, of: LoadRatio | LoadForm) -> Result:
@@ -41,7 +41,7 @@ class Study:
         found = (r for r in self.solution.results if isinstance(r, FrictionResult))
         return next(r for r in found if r.target == WithFriction(of, sense))
 
-    def moving(self, of: LoadRatio | LoadForm, sense: Sense, parameter: str) -> Moving | None:
+    def moving(self, of: LoadRatio | LoadForm, sense: Sense, parameter: str) -> RatioAlong | None:
         """Return a ratio along a parameter; None where loads without a size are in it."""
         ideal, real = self.ideal(of), self.real(of, sense)
         key = ideal.name, sense, parameter
@@ -56,7 +56,7 @@ class Study:
     def _both(self, key: tuple[str, Sense], ideal: Result, real: FrictionResult) -> FrictionRatios:
         """Return the ratio without friction and the one with it, the same for all parameters."""
         if key not in self._ratios:
-            known = self._ideals.setdefault(ideal.name, Ideal(ideal))
+            known = self._ideals.setdefault(ideal.name, IdealRatio(ideal))
             self._ratios[key] = FrictionRatios(known, real, key[1])
         return self._ratios[key]
 
@@ -86,7 +86,7 @@ def sizes(mechanism: Mechanism, real: Result) -> dict[str, float] | None:
     return dict.fromkeys(missing, 1.0) if len(missing) < 2 else None
 
 
-def efficiency_ranges(study: Study, efficiency: Result) -> Iterator[EfficiencyRange]:
+def efficiency_ranges(study: FrictionStudy, efficiency: Result) -> Iterator[EfficiencyRange]:
     """Yield through what an efficiency runs over each range that it depends on.
 
     One that is constant over a range is left out, as nobody asks for it; not so where the range is
@@ -118,10 +118,10 @@ def _printed(efficiency: Result) -> set[str]:
 
 
 def _efficiency_range(
-    moving: Moving, name: str, ends: Range, mechanism: Mechanism
+    moving: RatioAlong, name: str, ends: Range, mechanism: Mechanism
 ) -> EfficiencyRange | None:
     """Return the least and the greatest of an efficiency in a range; None where it has none."""
-    grid = looked_at(moving, *ends)
+    grid = sampled_values(moving, *ends)
     values = [v for x in grid if math.isfinite(v := moving.efficiency(x))]
     if not values:
         return None
@@ -129,7 +129,7 @@ def _efficiency_range(
     return EfficiencyRange(name, unit_of(name, mechanism), ends, min(values), max(values), usual)
 
 
-def _with_usual_efficiency(moving: Moving, grid: Sequence[float]) -> Iterator[Range]:
+def _with_usual_efficiency(moving: RatioAlong, grid: Sequence[float]) -> Iterator[Range]:
     """Yield the intervals on which an efficiency is usual, also where it only passes through it."""
     (low, high), efficiency = USUAL, moving.efficiency
     enough = spans(grid, lambda x: efficiency(x) >= low, lambda x: efficiency(x) - low)

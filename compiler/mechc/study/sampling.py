@@ -13,7 +13,7 @@ from functools import partial
 from itertools import chain, pairwise
 
 from ..formula.roots import lowest, spaced
-from .states import Moving
+from .states import RatioAlong
 from .tolerances import (
     BEFORE_JUMP,
     JUMP_WIDTH,
@@ -52,11 +52,13 @@ MOST_HALVED = 10
 SECTIONS, FEWER = 16, 13
 """Sections to a lowest or highest efficiency; three figures of a smooth one are right then."""
 
-FindChanges = Callable[[Moving, float, float], Iterator[float]]
+FindChanges = Callable[[RatioAlong, float, float], Iterator[float]]
 """Yields values between two others at which something happens."""
 
 
-def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = ()) -> list[float]:
+def sampled_values(
+    moving: RatioAlong, low: float, high: float, also: Sequence[float] = ()
+) -> list[float]:
     """Return values from one end to the other, ``also`` among them if they lie between.
 
     None is nearer to a dead centre than what rounding leaves to be solved there.
@@ -67,17 +69,17 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     ends = (x for x, out in ((low, -step), (high, step)) if _is_end(moving, x, out))
     near = [c + away for c in (*ends, *centres) for away in _near(moving, step)]
     near += [low + step / 2, high - step / 2]  # a kink may lie in the first cell, or the last
-    solved = chain.from_iterable(_solved_beside(moving, c, step) for c in centres)
+    solved = chain.from_iterable(_solved_next_to(moving, c, step) for c in centres)
     chosen = even[::SELDOM] if moving.is_slow else even
     grid = sorted({x for x in (*chosen, *near, *solved, *also) if low <= x <= high})
     far = nearest(high - low) / 2
     jumps = [x for x in _in_cells(_jumps, moving, grid) if all(abs(x - c) > far for c in centres)]
     unknown = _alone(moving, _with(grid, jumps))
-    around = chain.from_iterable(_solved_beside(moving, x, step) for x in unknown)
+    around = chain.from_iterable(_solved_next_to(moving, x, step) for x in unknown)
     known = (x for x in (*jumps, *around) if low <= x <= high and moving.at(x).state)
     grid = _with(grid, known)
     grid = _with(grid, _where_nothing_moves(moving, grid, step / STUCK))
-    grid = _with(grid, _beside_ends(moving, grid))
+    grid = _with(grid, _next_to_ends(moving, grid))
     grid = _with(grid, _in_cells(_edge, moving, grid))
     grid = _with(
         grid, _bulging(moving, grid), _turning_next_to_breaks(moving, grid), _loose(moving, grid)
@@ -85,7 +87,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     return _with(grid, _extremes(moving, grid))
 
 
-def _centres(moving: Moving, even: Sequence[float]) -> tuple[float, ...]:
+def _centres(moving: RatioAlong, even: Sequence[float]) -> tuple[float, ...]:
     """Return the dead centres between the ends of a grid, found once for both ways of the motion.
 
     To look for them is a fifth of what a range takes.
@@ -100,7 +102,7 @@ def _with(grid: Sequence[float], *more: Iterable[float]) -> list[float]:
     return sorted({*grid, *chain.from_iterable(more)})
 
 
-def _in_cells(find: FindChanges, moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+def _in_cells(find: FindChanges, moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
     """Yield the values found between each two neighbours of a grid."""
     for a, b in pairwise(grid):
         yield from find(moving, a, b)
@@ -111,20 +113,20 @@ def nearest(width: float) -> float:
     return NEAREST * width / DEAD_CENTRE_CELLS
 
 
-def _near(moving: Moving, step: float) -> Iterator[float]:
+def _near(moving: RatioAlong, step: float) -> Iterator[float]:
     """Yield how far from a dead centre to look, on both sides."""
     halvings = 1 if moving.is_slow else NEARER_VALUES
     for part in (*(0.5**i for i in range(1, halvings + 1)), NEAREST):
         yield from (-step * part, step * part)
 
 
-def _is_end(moving: Moving, x: float, outwards: float) -> bool:
+def _is_end(moving: RatioAlong, x: float, outwards: float) -> bool:
     """Return whether a dead centre, or the end of a loop, is at an end of what is looked at."""
     driven = moving.driven(x)
     return driven is None or moving.driven(x + outwards * NEAREST) != driven
 
 
-def _solved_beside(moving: Moving, centre: float, step: float) -> Iterator[float]:
+def _solved_next_to(moving: RatioAlong, centre: float, step: float) -> Iterator[float]:
     """Yield the nearest value on each side for which friction is found.
 
     Iteration may give up where k is nearly infinite, and what stands there would not be seen.
@@ -137,7 +139,7 @@ def _solved_beside(moving: Moving, centre: float, step: float) -> Iterator[float
             yield centre + away * near
 
 
-def _alone(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+def _alone(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
     """Yield values of a motion at which alone nothing is found, at an end of a grid, too.
 
     There a slip may be infinite though the ratio without friction is not, and near it
@@ -152,7 +154,9 @@ def _alone(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
 # -------------------------------------------------------------------- dead centres
 
 
-def _dead_centres(moving: Moving, a: float, b: float, depth: int = MOST_HALVED) -> Iterator[float]:
+def _dead_centres(
+    moving: RatioAlong, a: float, b: float, depth: int = MOST_HALVED
+) -> Iterator[float]:
     """Yield the dead centres between two values; ``depth`` falls with every halving."""
     pole = _pole_of_a_term(moving, a, b)
     if pole is not None and depth:
@@ -182,7 +186,7 @@ def _dead_centres(moving: Moving, a: float, b: float, depth: int = MOST_HALVED) 
         yield from _touched(moving, a, b)
 
 
-def _pole_of_a_term(moving: Moving, a: float, b: float) -> float | None:
+def _pole_of_a_term(moving: RatioAlong, a: float, b: float) -> float | None:
     """Return where a divisor in a term changes its sign first; None where none does.
 
     The ratio, a sum, may be zero so near to that pole that its ends, and its middle, show nothing.
@@ -193,7 +197,7 @@ def _pole_of_a_term(moving: Moving, a: float, b: float) -> float | None:
     return last(lambda x: [d > 0 for d in moving.divisors(x)] == signs, a, b)
 
 
-def _of_several_factors(moving: Moving, a: float, b: float) -> Iterator[float]:
+def _of_several_factors(moving: RatioAlong, a: float, b: float) -> Iterator[float]:
     """Yield where factors change their signs, if several do: the ratio may keep its own."""
     ends = tuple(zip(moving.factors(a), moving.factors(b), strict=False))
     changed = [i for i, (first, final) in enumerate(ends) if first * final < 0]
@@ -201,13 +205,13 @@ def _of_several_factors(moving: Moving, a: float, b: float) -> Iterator[float]:
         yield last(partial(_is_of_one_sign, moving, i, a), a, b)
 
 
-def _is_of_one_sign(moving: Moving, i: int, a: float, x: float) -> bool:
+def _is_of_one_sign(moving: RatioAlong, i: int, a: float, x: float) -> bool:
     """Return whether the i-th factor of the ratio has one sign at two values."""
     found = moving.factors(x)
     return i < len(found) and found[i] * moving.factors(a)[i] > 0
 
 
-def _touched(moving: Moving, a: float, b: float) -> Iterator[float]:
+def _touched(moving: RatioAlong, a: float, b: float) -> Iterator[float]:
     """Yield where a ratio touches zero, or infinity, near a narrow cell."""
     low, high = 2 * a - b, 2 * b - a
     sizes = [abs(moving.without(x)) for x in (low, high)]
@@ -219,7 +223,7 @@ def _touched(moving: Moving, a: float, b: float) -> Iterator[float]:
         yield pole
 
 
-def dead_centre(moving: Moving, a: float, b: float) -> float:
+def dead_centre(moving: RatioAlong, a: float, b: float) -> float:
     """Return the dead centre between two values, 0 where it is nearly that.
 
     It may be the end of a loop, beyond which there is nothing: it is come to from where there is.
@@ -229,7 +233,7 @@ def dead_centre(moving: Moving, a: float, b: float) -> float:
     return 0.0 if abs(x) < SAME_VALUE * abs(b - a) else x
 
 
-def before_dead_centre(moving: Moving, a: float, b: float) -> float:
+def before_dead_centre(moving: RatioAlong, a: float, b: float) -> float:
     """Return the last value, from the first of two on, that is still before the dead centre."""
     driven = moving.driven(a)
     if driven is None:
@@ -239,7 +243,7 @@ def before_dead_centre(moving: Moving, a: float, b: float) -> float:
     return last(lambda x: moving.driven(x) == driven, a, b, measure=straightest)
 
 
-def _inverse(moving: Moving, x: float) -> float:
+def _inverse(moving: RatioAlong, x: float) -> float:
     """Return the inverse of the ratio without friction, which passes zero at a pole."""
     ratio = moving.without(x)
     return 1 / ratio if ratio else math.inf
@@ -254,7 +258,7 @@ def _bend(measure: SignedMeasure, a: float, b: float) -> float:
 # ------------------------------------------------------------------------ extremes
 
 
-def _jumps(moving: Moving, a: float, b: float) -> Iterator[float]:
+def _jumps(moving: RatioAlong, a: float, b: float) -> Iterator[float]:
     """Yield the values on either side of each change of a sign of a slip or force.
 
     They are no closer than a change is narrowed down: the step after one passes it.
@@ -267,12 +271,12 @@ def _jumps(moving: Moving, a: float, b: float) -> Iterator[float]:
         a = x + width
 
 
-def _last_alike(moving: Moving, a: float, b: float) -> float:
+def _last_alike(moving: RatioAlong, a: float, b: float) -> float:
     signs = moving.signs(a)
     return last(lambda x: moving.signs(x) == signs, a, b, NEARLY)
 
 
-def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
+def _edge(moving: RatioAlong, a: float, b: float) -> Iterator[float]:
     """Yield the last value at which it moves as at the first, where it sticks at the second.
 
     There an efficiency may fall to nothing at once.
@@ -283,7 +287,7 @@ def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
         yield last(lambda x: moving.at(x).state == beyond, b, a, NEARLY, moving.margin)
 
 
-def _where_nothing_moves(moving: Moving, grid: Sequence[float], step: float) -> Iterator[float]:
+def _where_nothing_moves(moving: RatioAlong, grid: Sequence[float], step: float) -> Iterator[float]:
     """Yield values between two of one state other than free, no farther apart than a step.
 
     Where forces do not balance on either side no margin shows that they may in between.
@@ -293,7 +297,7 @@ def _where_nothing_moves(moving: Moving, grid: Sequence[float], step: float) -> 
             yield from spaced(a, b, math.ceil((b - a) / step))[1:-1]
 
 
-def _beside_ends(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+def _next_to_ends(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
     """Yield ever nearer values where nothing moves up to a dead centre, or to the end of a loop.
 
     Two ratios that both grow without end there may change places once more.
@@ -303,13 +307,13 @@ def _beside_ends(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
             yield from (end + (inside - end) * 0.5**i for i in range(1, NEARER_VALUES + 1))
 
 
-def _is_stuck(moving: Moving, a: float, b: float) -> bool:
+def _is_stuck(moving: RatioAlong, a: float, b: float) -> bool:
     """Return whether nothing moves at two values, for one reason."""
     state = moving.at(a).state
     return state in ("locked", "jammed") and moving.at(b).state == state
 
 
-def _loose(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+def _loose(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
     """Yield where something moves among values where nothing does: where least is missing."""
     sections = FEWER if moving.is_slow else SECTIONS
     margins = [moving.margin(x) for x in grid]
@@ -320,7 +324,7 @@ def _loose(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
                 yield top
 
 
-def _bulging(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+def _bulging(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
     """Yield the middles of cells in which an efficiency turns: they are above or below both ends.
 
     Next to a jump the cell itself may hold its lowest or highest. Where cells are narrow and it
@@ -344,7 +348,7 @@ def _is_steady(values: Sequence[float]) -> bool:
     return len(values) == 4 and (all(rises) or all(falls))
 
 
-def _turning_next_to_breaks(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+def _turning_next_to_breaks(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
     """Yield where an efficiency is lowest or highest within a cell that ends at a break.
 
     No neighbour beyond a jump, or the end of a range, shows anything of that; a value just before
@@ -360,7 +364,7 @@ def _turning_next_to_breaks(moving: Moving, grid: Sequence[float]) -> Iterator[f
                 yield lowest(efficiency, min(far, end), max(far, end), sections, THREE_FIGURES)
 
 
-def _before_breaks(moving: Moving, grid: Sequence[float]) -> Iterator[tuple[float, float]]:
+def _before_breaks(moving: RatioAlong, grid: Sequence[float]) -> Iterator[tuple[float, float]]:
     """Yield the cells next to jumps and to the ends of a grid, from their far ends to these."""
     for way in (grid, grid[::-1]):
         jumps = ((a, b) for a, b, c in _triples(way) if moving.signs(b) != moving.signs(c))
@@ -371,7 +375,7 @@ def _triples(grid: Sequence[float]) -> Iterator[tuple[float, float, float]]:
     return zip(grid, grid[1:], grid[2:], strict=False)
 
 
-def _extremes(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+def _extremes(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
     """Yield where the efficiency is lowest or highest between values."""
     values = [moving.efficiency(x) for x in grid]
     sections = FEWER if moving.is_slow else SECTIONS
@@ -385,7 +389,7 @@ def _extremes(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
                 yield lowest(efficiency, grid[i - 1], grid[i + 1], sections, THREE_FIGURES)
 
 
-def _signed(moving: Moving, sense: int, x: float) -> float:
+def _signed(moving: RatioAlong, sense: int, x: float) -> float:
     """Return an efficiency times a sign, infinite where there is none."""
     value = moving.efficiency(x)
     return math.inf if math.isnan(value) else sense * value

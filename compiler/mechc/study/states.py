@@ -48,7 +48,7 @@ HowItEnds = tuple[Set[str], Callable[[Values], NewtonStatus]]
 NOWHERE = StateFound(None, math.nan, None)
 
 
-class Ideal:
+class IdealRatio:
     """A ratio without friction, and what of it is looked at everywhere."""
 
     def __init__(self, result: Result) -> None:
@@ -71,7 +71,7 @@ class IdealAlong:
     ``centres`` are the dead centres found between two ends.
     """
 
-    def __init__(self, sweep: Sweep, ideal: Ideal) -> None:
+    def __init__(self, sweep: Sweep, ideal: IdealRatio) -> None:
         self.sweep, self.result, self._ideal = sweep, ideal.result, ideal
         self.centres: dict[Range, tuple[float, ...]] = {}
         self._dead: dict[float, bool] = {}
@@ -133,7 +133,7 @@ class ZeroAlong(IdealAlong):
 class FrictionRatios:
     """A ratio with friction next to the one without, and what of it is looked at everywhere."""
 
-    def __init__(self, ideal: Ideal, real: FrictionResult, sense: Sense) -> None:
+    def __init__(self, ideal: IdealRatio, real: FrictionResult, sense: Sense) -> None:
         """Take both, and the sense of the motion."""
         self.ideal, self.real = ideal, real
         self.sign = SIGNS[sense]
@@ -143,9 +143,9 @@ class FrictionRatios:
         """Return the ratio without friction along the parameter of a sweep."""
         return (ZeroAlong if self.real.is_idle else IdealAlong)(sweep, self.ideal)
 
-    def along(self, ideal: IdealAlong) -> "Moving":
+    def along(self, ideal: IdealAlong) -> "RatioAlong":
         """Return the ratio along the parameter along which the one without friction is given."""
-        return (AgainstFriction if self.real.is_idle else Moving)(ideal, self)
+        return (AgainstFriction if self.real.is_idle else RatioAlong)(ideal, self)
 
     @cached_property
     def forms(self) -> tuple[Result, Result | None]:
@@ -176,7 +176,7 @@ class FrictionRatios:
         return self._ways[id(result)]
 
 
-class Moving:
+class RatioAlong:
     """A ratio with friction next to the one without, along one parameter."""
 
     def __init__(self, along: IdealAlong, ratios: FrictionRatios) -> None:
@@ -283,7 +283,7 @@ HUGE = 1e9
 """A load in SI beyond which it is looked at whether rounding made it of an infinite one."""
 
 
-class AgainstFriction(Moving):
+class AgainstFriction(RatioAlong):
     """A drive that has friction alone to overcome, as in a brake: without it the ratio is zero.
 
     The drive drives either way, and there are no dead centres.

@@ -107,7 +107,7 @@ def last(
     least, way = width * max(abs(good), abs(bad)), math.copysign(1.0, bad - good)
     sure, out = good, bad
     if measure:
-        sure, out = _between(holds, _beside_zero(measure, good, bad, least), good, bad)
+        sure, out = _between(holds, _next_to_zero(measure, good, bad, least), good, bad)
     while abs(bad - good) > least and (middle := (good + bad) / 2) not in (good, bad):
         if (sure - middle) * way >= 0:
             good = middle
@@ -124,7 +124,7 @@ NEARER = (8, 16, 24, 32, 40)
 """How often a stretch is halved to values next to a zero at its end."""
 
 
-def _beside_zero(
+def _next_to_zero(
     measure: SignedMeasure, good: float, bad: float, least: float
 ) -> Collection[float]:
     """Return values on either side of where a measure is zero, nearer and nearer to it.

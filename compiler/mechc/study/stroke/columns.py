@@ -23,7 +23,7 @@ ALL = "all"
 """Stands for every point and link."""
 
 
-class Filled(NamedTuple):
+class FilledColumn(NamedTuple):
     """A column, its value along the drive, and the formula of that with its definitions.
 
     ``ideal`` is the column of what one with friction is without it, if there is one.
@@ -37,10 +37,10 @@ class Filled(NamedTuple):
     ideal: str = ""
 
 
-def named_apart(columns: Iterable[Filled]) -> list[Filled]:
+def named_apart(columns: Iterable[FilledColumn]) -> list[FilledColumn]:
     """Return columns under names that differ: the second of two says what it holds."""
     taken: set[str] = set()
-    found: list[Filled] = []
+    found: list[FilledColumn] = []
     for filled in columns:
         column, name = filled.column, filled.column.name
         if name in taken:
@@ -76,13 +76,13 @@ def asked(motion: Motion | None, paths: Sequence[str]) -> ShownQuantities:
 
 def path_columns(
     asked: ShownQuantities, along: Sweep, unit: Callable[[Dimension], str]
-) -> Iterator[Filled]:
+) -> Iterator[FilledColumn]:
     """Yield the columns of what is asked for."""
     moving = _Moving(asked.definitions, along)
     for quantity in asked.quantities:
         dimension = quantity.dimension
         column = StrokeColumn(quantity.shown, dimension, "path", unit(dimension))
-        yield Filled(
+        yield FilledColumn(
             column,
             partial(moving.at, quantity.formula),
             quantity.formula,

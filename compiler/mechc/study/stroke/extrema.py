@@ -74,7 +74,7 @@ def _on_stretch(
             yield from _on_part(run, result, stretch, singular, valued, removable)
     for jump in (j for j in jumps if j.result == result.name and is_on_the_stroke(j, run)):
         if stretch.low < jump.drive < stretch.high:
-            yield from beside_jump(jump, result, run.along, run.range)
+            yield from next_to_jump(jump, result, run.along, run.range)
 
 
 def _with(grid: Sequence[float], turns: Sequence[float]) -> list[float]:
@@ -142,7 +142,7 @@ def _part(inner: Sequence[float], first: float, last: float) -> list[float]:
     return sorted({first, *close, *inner, last})
 
 
-def beside_jump(
+def next_to_jump(
     jump: Singular, result: Analysis, along: Sweep, range_: float
 ) -> Iterator[Extremum]:
     """Yield the sides of a jump that are the least or greatest nearby: the result turns there."""

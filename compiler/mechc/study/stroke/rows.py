@@ -22,7 +22,7 @@ from ...units import ANGLE, LENGTH, Dimension
 from ..pose_sweep import NO_POSE
 from ..sweep import Sweep
 from ..tolerances import SAME_SIDES, SIDE, STRAIGHT, VANISHING
-from .columns import Filled, ShownQuantities, path_columns
+from .columns import FilledColumn, ShownQuantities, path_columns
 from .removable import RemovablePlaces
 from .rounded import is_on_a_sign
 from .run import StrokeRun
@@ -35,7 +35,7 @@ AT_ONCE = 64
 """Rows whose rounding is found at once."""
 
 
-def columns(run: StrokeRun, asked: ShownQuantities) -> Iterator[Filled]:
+def columns(run: StrokeRun, asked: ShownQuantities) -> Iterator[FilledColumn]:
     """Yield results, slopes, velocity ratios, transmission angles, then the paths asked for."""
     unit_of = partial(_unit, run.pose.mechanism)
     yield from _results(run, unit_of)
@@ -43,16 +43,18 @@ def columns(run: StrokeRun, asked: ShownQuantities) -> Iterator[Filled]:
     for velocity in velocities(run.solution.balance):
         unit = unit_of(velocity.dimension)
         column = StrokeColumn(velocity.name, velocity.dimension, "velocity", unit, velocity.about)
-        yield Filled(column, partial(run.along.inside, velocity.value), velocity.value.formula())
+        yield FilledColumn(
+            column, partial(run.along.inside, velocity.value), velocity.value.formula()
+        )
     for name, angle in named(transmissions(run.pose), angles_at_pins(run.pose)):
         about = AngleAt(name, angle.pin, angle.rod, angle.onto)
         column = StrokeColumn(name, ANGLE, "angle", about=(about,))
-        yield Filled(column, partial(_angle, run.along, angle))
+        yield FilledColumn(column, partial(_angle, run.along, angle))
     if asked.quantities:
         yield from path_columns(asked, run.along, unit_of)
 
 
-def _results(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
+def _results(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[FilledColumn]:
     for result in run.results:
         unit = own_unit(result.name, run.pose.mechanism) or unit_of(result.dimension)
         column = StrokeColumn(result.name, result.dimension, unit=unit)
@@ -60,10 +62,10 @@ def _results(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Fi
         has_friction = isinstance(result.target, WithFriction | Efficiency)
         of = getattr(result.target, "of", None)
         ideal = next((r.name for r in run.results if of is not None and r.target == of), "")
-        yield Filled(column, at, result.formula, result.where, has_friction, ideal)
+        yield FilledColumn(column, at, result.formula, result.where, has_friction, ideal)
 
 
-def _slopes(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
+def _slopes(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[FilledColumn]:
     """Yield the columns of slopes of ratios along the drive."""
     for result in run.ratios:
         slope = (result.derivatives or {}).get(run.drive.name)
@@ -71,7 +73,7 @@ def _slopes(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Fil
             name = f"d{result.name}/d{run.drive.name}"
             dimension = result.dimension.over(run.drive.dimension)
             column = StrokeColumn(name, dimension, "slope", unit_of(dimension))
-            yield Filled(column, run.values(slope, result), slope, result.where)
+            yield FilledColumn(column, run.values(slope, result), slope, result.where)
 
 
 def _angle(along: Sweep, angle: TransmissionAngle, x: float) -> float:
@@ -90,7 +92,9 @@ def _unit(mechanism: Mechanism, dimension: Dimension) -> str:
 class StrokeSizes:
     """Finds sizes at poses; how exact they are is found for all poses at once where it can be."""
 
-    def __init__(self, run: StrokeRun, drives: Sequence[float], filled: Sequence[Filled]) -> None:
+    def __init__(
+        self, run: StrokeRun, drives: Sequence[float], filled: Sequence[FilledColumn]
+    ) -> None:
         self._run, self._filled = run, filled
         self._rows = {x: i for i, x in enumerate(drives)}
         columns = run.along.rounded(drives)
@@ -111,7 +115,11 @@ class StrokeSizes:
         return sizes
 
     def _printed(
-        self, filled: Filled, x: float, column: RoundedColumn | None, alone: Callable[[], Rounding]
+        self,
+        filled: FilledColumn,
+        x: float,
+        column: RoundedColumn | None,
+        alone: Callable[[], Rounding],
     ) -> PrintedNumber:
         """Return a value of a column as it is printed: rounding left out, limits put in."""
         number, formula, where = filled.at(x), filled.formula, filled.where
@@ -130,31 +138,31 @@ class StrokeSizes:
             return self._from_both_sides(filled, x)
         return size if filled.has_friction else self._across(filled, x, size)
 
-    def _from_both_sides(self, filled: Filled, x: float) -> PrintedNumber:
+    def _from_both_sides(self, filled: FilledColumn, x: float) -> PrintedNumber:
         at = partial(self._beyond_rounding, filled)
         return from_both_sides(at, partial(_is_pose, self._run), x, self._run.range)
 
-    def _across(self, filled: Filled, x: float, size: PrintedNumber) -> PrintedNumber:
+    def _across(self, filled: FilledColumn, x: float, size: PrintedNumber) -> PrintedNumber:
         """Return the size of a column, where its formula alone is 0/0 that from both sides."""
         if not size.undetermined:
             return size
         value = RemovablePlaces(filled.at, partial(self._error, filled), self._run.range).value(x)
         return size if value is None else PrintedNumber(value)
 
-    def _error(self, filled: Filled, x: float) -> float:
+    def _error(self, filled: FilledColumn, x: float) -> float:
         """Return a bound of the rounding error in a column."""
         assert filled.formula is not None
         rounding = self._run.along.rounding_inside(x)
         return with_error(filled.formula, filled.where, rounding).error
 
-    def _beyond_rounding(self, filled: Filled, x: float) -> float:
+    def _beyond_rounding(self, filled: FilledColumn, x: float) -> float:
         """Return a value, 0 where it is but rounding: that grows near a pose as at a pole."""
         number, rounding = filled.at(x), self._run.along.rounding_inside(x)
         size = beyond_rounding(number, filled.formula, filled.where, rounding)
         return number if size.number is None else size.number
 
 
-def _rounded(filled: Filled, columns: RoundedColumns) -> RoundedColumn | None:
+def _rounded(filled: FilledColumn, columns: RoundedColumns) -> RoundedColumn | None:
     """Return a column with its errors; None where it has no formula, or not in what has values."""
     if filled.formula is None:
         return None
@@ -169,7 +177,7 @@ def _is_pose(run: StrokeRun, x: float) -> bool:
 def rows(
     run: StrokeRun,
     drives: Sequence[float],
-    filled: Sequence[Filled],
+    filled: Sequence[FilledColumn],
     stretches: Sequence[StrokeInterval],
 ) -> Iterator[StrokeRow]:
     """Yield the rows at values of the drive: values, or why there are none."""
@@ -191,7 +199,7 @@ def _gap(run: StrokeRun, x: float, width: int, stretches: Sequence[StrokeInterva
 
 
 def _row(
-    run: StrokeRun, x: float, filled: Sequence[Filled], sizes: Sequence[PrintedNumber]
+    run: StrokeRun, x: float, filled: Sequence[FilledColumn], sizes: Sequence[PrintedNumber]
 ) -> StrokeRow:
     values = tuple(math.nan if s.number is None else s.number for s in sizes)
     open_ = (f.column.name for f, s in zip(filled, sizes, strict=True) if s.undetermined)
