@@ -93,31 +93,27 @@ def evaluated(whole: ReportOutline, mechanism: Mechanism) -> Iterator[Evaluated]
     known = KnownQuantities(given, usual)
     yield from _of_looked_up(whole, mechanism, given)
     idle = _idle_directions(whole)
-    for name, formula in _definitions(whole, turned):
-        if name not in idle:
-            yield from _of_definition(name, formula, known)
+    definitions = (d for d in _definitions(whole, turned) if d.name not in idle)
+    yield from _of_definitions(definitions, known)
     shown, early = _named(whole, mechanism), _own_met_early(whole)
     shown |= {parameter.name for parameter in looked_up(mechanism)}
     for section in whole.results:
-        for name, formula in _accounted(section, shown):
-            if section not in turned:
-                yield from _of_definition(name, formula, known)
+        accounted = list(_accounted(section, shown))
         if section not in turned:
+            yield from _of_definitions(accounted, known)
             parts = _parts_of_force(section, whole, given, usual)
             given |= {d.name: quantity for d, quantity in parts}
-            for (name, formula), _ in parts:
-                yield from _of_definition(name, formula, known)
+            yield from _of_definitions([definition for definition, _ in parts], known)
+        numbers = KnownQuantities({}, usual) if section in turned else known
         for result in (r for r in section.results if r.name not in early):
             if line := section.lines.get(result.name):
                 yield from _of_line(line)
             else:
-                unit = usual.of(result.dimension)
                 forces = _iterated(result, mechanism, given, usual)
                 yield from (Evaluated(Symbol(n), None, q, False) for n, q in forces.items())
                 given |= forces
-                numbers = KnownQuantities({}, usual) if section in turned else known
-                yield from _of_result(result, numbers, unit)
-                given |= _value(result, unit)
+                yield from _of_result(result, numbers)
+                given |= _value(result, usual)
 
 
 def _of_looked_up(
@@ -286,18 +282,22 @@ def _is_joint_force(result: Analysis) -> bool:
     return isinstance(target, WithFriction) and not isinstance(target.of, LoadRatio | LoadForm)
 
 
-def _of_definition(name: str, formula: Formula, known: KnownQuantities) -> Iterator[Evaluated]:
-    """Yield the value of a definition, if it has one."""
-    if name in known.quantities:
-        value = without_rounding(known.quantities[name])
-        numbers = in_numbers(formula, known.quantities, value.unit in ("", "deg"))
-        yield Evaluated(Symbol(name), numbers, value, value.unit == "deg", formula, known)
+def _of_definitions(
+    definitions: Iterable[Definition], known: KnownQuantities
+) -> Iterator[Evaluated]:
+    """Yield the values of definitions, of those that have one."""
+    for name, formula in definitions:
+        if name in known.quantities:
+            value = without_rounding(known.quantities[name])
+            numbers = in_numbers(formula, known.quantities, value.unit in ("", "deg"))
+            yield Evaluated(Symbol(name), numbers, value, value.unit == "deg", formula, known)
 
 
-def _value(result: Analysis, unit: str) -> dict[str, GivenQuantity]:
+def _value(result: Analysis, usual: UsualUnits) -> dict[str, GivenQuantity]:
     """Return the value of a result under its name, for results that rest on it."""
     known = result.default is not None and math.isfinite(result.default)
-    return {result.name: GivenQuantity(result.default or 0.0, unit)} if known else {}
+    value = GivenQuantity(result.default or 0.0, usual.of(result.dimension))
+    return {result.name: value} if known else {}
 
 
 def _iterated(
@@ -326,13 +326,14 @@ def _measured_by(result: Analysis, mechanism: Mechanism) -> Dimension:
             return NUMBER
 
 
-def _of_result(result: Analysis, known: KnownQuantities, unit: str) -> Iterator[Evaluated]:
+def _of_result(result: Analysis, known: KnownQuantities) -> Iterator[Evaluated]:
+    """Yield the value of a result, if it is finite and no number as it stands."""
     if result.default is None or not math.isfinite(result.default) or not symbols(result.formula):
         return
     bare = result.dimension in (ANGLE, NUMBER)
     numbers = in_numbers(result.formula, known.quantities, bare)
-    value = GivenQuantity(result.default, unit)
-    yield Evaluated(asked(result), numbers, value, unit == "deg", result.formula, known)
+    value = GivenQuantity(result.default, known.usual.of(result.dimension))
+    yield Evaluated(asked(result), numbers, value, value.unit == "deg", result.formula, known)
 
 
 def _given(whole: ReportOutline, mechanism: Mechanism) -> dict[str, GivenQuantity]:
@@ -340,29 +341,56 @@ def _given(whole: ReportOutline, mechanism: Mechanism) -> dict[str, GivenQuantit
     where = list(_definitions(whole))
     shown = _named(whole, mechanism)
     where += [d for section in whole.results for d in _accounted(section, shown)]
+    values = _values(where, mechanism)
+    given = _given_units(where, whole, mechanism)
+    units = _with_found_units(given, where, values, usual_units(mechanism))
+    known = {name: value for name, value in values.items() if math.isfinite(value)}
+    return {name: GivenQuantity(known[name], unit) for name, unit in units.items() if name in known}
+
+
+def _usual_g(mechanism: Mechanism) -> dict[str, float]:
+    """Return the usual g by its name where a weight is by that."""
+    return {FREE_FALL.name: float(GRAVITY.value)} if usual_weights(mechanism) else {}
+
+
+def _values(where: Sequence[Definition], mechanism: Mechanism) -> dict[str, float]:
+    """Return the values of quantities, and of definitions with what follows from them."""
     # A constant of the drawing stands in ``where`` in its unit, among parameters in SI.
     chain = Chain({**dict(where), **dependent(mechanism)})
-    loads = tuple(given_loads(mechanism))
-    usual_g = {FREE_FALL.name: float(GRAVITY.value)} if usual_weights(mechanism) else {}
-    known = defaults(mechanism) | usual_g
+    known = defaults(mechanism) | _usual_g(mechanism)
     values = chain.complete(known | dict.fromkeys(_zeros(chain, known), 0.0))
-    named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals, *loads)}
-    units = {name: _unit(p) for name, p in named.items()}
-    units |= dict.fromkeys(usual_g, "m/s^2") | _of_loads(where, mechanism)
+    constants = (*mechanism.literals, *given_loads(mechanism))
+    return values | {p.name: evaluate(p.value, {}) for p in constants if p.value}
+
+
+def _given_units(
+    where: Iterable[Definition], whole: ReportOutline, mechanism: Mechanism
+) -> dict[str, str]:
+    """Return the units of the quantities of a description, and of ratios of a derivation."""
+    named = (*mechanism.parameters, *mechanism.literals, *given_loads(mechanism))
     usual = usual_units(mechanism)
+    units = {p.name: _unit(p) for p in named}
+    units |= dict.fromkeys(_usual_g(mechanism), "m/s^2") | _of_loads(where, mechanism)
     bare = (p for p in looked_up(mechanism) if not p.unit)
     units |= {p.name: _written_unit(p) or usual.of(p.dimension) for p in bare}
-    units |= {r.name: usual.of(r.dimension) for r in whole.ratios}
+    return units | {r.name: usual.of(r.dimension) for r in whole.ratios}
+
+
+def _with_found_units(
+    given: Mapping[str, str],
+    where: Iterable[Definition],
+    values: Mapping[str, float],
+    usual: UsualUnits,
+) -> dict[str, str]:
+    """Return units with those of definitions, each after those of what it rests on."""
+    units = dict(given)
     angles = {name for name, unit in units.items() if unit == "deg"}
-    constants = (*mechanism.literals, *loads)
-    values |= {p.name: evaluate(p.value, {}) for p in constants if p.value}
     for definition in where:
         if definition.name not in units:
             unit = found_unit(definition, usual, angles, values, units)
             units |= {} if unit is None else {definition.name: unit}
             angles |= {definition.name} if unit == "deg" else set()
-    known = {name: value for name, value in values.items() if math.isfinite(value)}
-    return {name: GivenQuantity(known[name], unit) for name, unit in units.items() if name in known}
+    return units
 
 
 def _written_unit(parameter: Parameter) -> str:

@@ -104,8 +104,7 @@ def solver(system: System) -> Solver:
     equations = angle_offsets.turned_alike(system.equations)
     rows = derivative.jacobian(equations, system.unknowns)
     entries = [entry for row in rows for entry in row]
-    moved = changes(system) if system.by_arcs else {}
-    changed = {name: change for name, change in moved.items() if name in outer}
+    changed = _changes_of(outer, system)
     shares = {name: Symbol(change) for name, change in changed.items()}
     by_share = derivative.along(equations, shares)
     taken = [*system.unknowns, *outer, *changed.values()]
@@ -133,6 +132,12 @@ def solver(system: System) -> Solver:
         else None,
         turning=tuple(name for name in outer if name in system.turning),
     )
+
+
+def _changes_of(outer: Sequence[str], system: System) -> dict[str, str]:
+    """Return the names for by how much outer symbols change, if arcs are followed."""
+    moved = changes(system) if system.by_arcs else {}
+    return {name: change for name, change in moved.items() if name in outer}
 
 
 def used_outer(system: System) -> tuple[int, ...]:

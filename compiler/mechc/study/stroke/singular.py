@@ -51,32 +51,33 @@ def singular_along(
     Friction turns round at ``turns``. Where a force at a joint is zero its sense changes: a rod is
     in compression, then in tension.
     """
-    ratios = run.quotients
     found = [
-        pose
-        for stretch in stretches
-        for result in ratios
-        if not is_zero(result, run.along, stretch)
-        for pose in singular_poses(result, run.drive.name, run.along, stretch, run.within(stretch))
-    ]
-    found += [
-        zero
-        for stretch in stretches
-        for force in (*run.forms, *run.signed)
-        if not is_zero(force, run.along, stretch)
-        for zero in _zeros_of(force, run, stretch)
-    ]
-    found += [
-        pole
-        for stretch in stretches
-        for force in (*run.forms, *run.first_order)
-        if not is_zero(force, run.along, stretch)
-        for pole in _poles_of(force, run, stretch)
+        *_found_on(stretches, run.quotients, run, _of_ratio),
+        *_found_on(stretches, (*run.forms, *run.signed), run, _zeros_of),
+        *_found_on(stretches, (*run.forms, *run.first_order), run, _poles_of),
     ]
     places = (one.drive for one in found if one.kind == "jump" or one.value != "undetermined")
     found += jumps_along(run, stretches, (*turns, *places))
     orders = {r.name: partial(order_of, run, r) for r in run.results}
     return distinguished(each_zero_once(found, run), branches, run.range, orders)
+
+
+def _found_on(
+    stretches: Sequence[StrokeInterval],
+    results: Sequence[Analysis],
+    run: StrokeRun,
+    find: Callable[[Analysis, StrokeRun, StrokeInterval], Iterator[Singular]],
+) -> Iterator[Singular]:
+    """Yield the singular poses of results on stretches, of those that are not zero throughout."""
+    for stretch in stretches:
+        for result in results:
+            if not is_zero(result, run.along, stretch):
+                yield from find(result, run, stretch)
+
+
+def _of_ratio(ratio: Analysis, run: StrokeRun, stretch: StrokeInterval) -> Iterator[Singular]:
+    """Yield the poses in which a ratio is zero, infinite or undetermined."""
+    return singular_poses(ratio, run.drive.name, run.along, stretch, run.within(stretch))
 
 
 def _zeros_of(force: Analysis, run: StrokeRun, stretch: StrokeInterval) -> Iterator[Singular]:
