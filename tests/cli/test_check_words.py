@@ -147,4 +147,7 @@ def test_formulas_are_those_of_pages(run: Run) -> None:
     held = run("check", "karpenko_fig9_with_friction")
     assert "delta_BK - beta" not in held
     assert "c_P_hold = -tan(beta - delta_BK)/2" in held
-    assert "abs(sin(" not in run("check", str(EXAMPLES / "strength" / "clamp.mech"))
+    drawn = run("check", str(EXAMPLES / "strength" / "clamp.mech"))
+    assert "abs(sin(" not in drawn
+    assert "sin(phi_OA - phi_CA)" in drawn
+    assert "sin(phi_CA - phi_OA)" not in drawn

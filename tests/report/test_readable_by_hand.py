@@ -15,7 +15,7 @@ A, B, N = (Symbol(name) for name in ("alpha", "beta", "N"))
 def readable() -> ReadableDerivation:
     """Return formulas of a plan in which every angle is to be turned by 90°."""
     found = object.__new__(ReadableDerivation)
-    found._turns, found._found = frozenset(), set()
+    found._turns, found._found, found._ways = frozenset(), set(), set()
     found._ranges = dict  # type: ignore[assignment]
     found._values = lambda: {"alpha": 0.1, "beta": 0.2}  # type: ignore[assignment]
     found._quarter = lambda angle: 90  # type: ignore[assignment]
@@ -62,3 +62,32 @@ def test_bars_stand_only_where_the_sign_is_open():
         assert isinstance(found, Compilation)
         lines = render(found.derivation, found.mechanism).splitlines()
         assert size in map(str.strip, lines)
+
+
+def test_differences_are_one_way_round_on_a_page() -> None:
+    """Friction has phi - phi_AB, whose sine is positive; the ratio, negative, has it as well."""
+    source = """
+    mechanism rocker
+    param a = 40 mm
+    param b = 120 mm
+    param c = 80 mm
+    param phi = 60 deg in 30 deg .. 150 deg
+    pivot O at (0 mm, 0 mm)
+    pivot Q at (100 mm, 0 mm)
+    link OA
+    link AB
+    link QB
+    OA = a @ phi
+    AB = b
+    QB = c
+    assembly ABQ cw
+    torque M on OA
+    torque T on QB
+    friction pins 0.1 diameter 10 mm
+    find k = T/M
+    """
+    found = compile_source(Source("rocker.mech", source))
+    assert isinstance(found, Compilation)
+    page = " ".join(render(found.derivation, found.mechanism).split())
+    assert "k = T/M = −c/a · sin μ_B / sin(φ − φ_AB)" in page
+    assert "φ_AB − φ)" not in page.replace("μ_B + φ_AB − φ)", "")

@@ -19,8 +19,10 @@ from .positive_divisors import (
     with_opposites,
 )
 from .rewriting import (
+    FUNCTIONS_OF_ANGLES,
     Quarter,
     as_cofunction,
+    by_opposite,
     in_reading_order,
     opposite_angle,
     rewritten,
@@ -226,19 +228,14 @@ def factors_as_in(formula: Formula, *models: Formula) -> Formula:
             return formula
 
 
-_ODD, _EVEN = frozenset({"sin", "tan", "cot", "csc"}), frozenset({"cos", "sec"})
-
-
 def _difference_turned_as(
     formula: Formula, known: Mapping[frozenset[Formula], Sum]
 ) -> Formula | None:
     match formula:
-        case Call(function, (Sum(terms),)) if function in _ODD | _EVEN:
+        case Call(function, (Sum(terms),)) if function in FUNCTIONS_OF_ANGLES:
             other = known.get(frozenset(map(negative, terms)))
-            if other is None or frozenset(terms) in known:
-                return None
-            turned = Call(function, (other,))
-            return negative(turned) if function in _ODD else turned
+            if other is not None and frozenset(terms) not in known:
+                return by_opposite(function, other)
     return None
 
 

@@ -138,6 +138,42 @@ def opposite_angle(angle: Formula) -> Formula:
     return negative(angle)
 
 
+_ODD, _EVEN = frozenset({"sin", "tan", "cot", "csc"}), frozenset({"cos", "sec"})
+
+FUNCTIONS_OF_ANGLES = _ODD | _EVEN
+
+
+def by_opposite(function: str, opposite: Formula) -> Formula:
+    """Return a function of an angle, written by the opposite of that.
+
+    >>> from .to_text import text
+    >>> from .tree import Symbol
+    >>> text(by_opposite("sin", Symbol("a"))), text(by_opposite("cos", Symbol("a")))
+    ('-sin(a)', 'cos(a)')
+    """
+    written = Call(function, (opposite,))
+    return negative(written) if function in _ODD else written
+
+
+_QUOTIENTS = {("sin", "cos"): "tan", ("cos", "sin"): "cot"}
+
+
+def by_tangent(factors: Iterable[Formula]) -> Formula | None:
+    """Return a product with the tangent of an angle for its sine over its cosine; None if none.
+
+    The cotangent stands for the cosine over the sine.
+    """
+    listed = list(factors)
+    for factor in listed:
+        for (above, below), function in _QUOTIENTS.items():
+            if isinstance(factor, Call) and factor.function == above:
+                under = Power(Call(below, factor.arguments), number(-1))
+                if under in listed:
+                    others = [f for f in listed if f not in (factor, under)]
+                    return product((f, 1) for f in (*others, Call(function, factor.arguments)))
+    return None
+
+
 def _plus(angle: Formula, turn: int) -> Formula:
     """Return an angle with degrees added to its constant, which comes last."""
     terms = angle.terms if isinstance(angle, Sum) else (angle,)

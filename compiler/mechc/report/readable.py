@@ -1,6 +1,6 @@
 """How formulas are turned to be read: as a person writes the angles in them."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from functools import cache, partial
 
 from ..algebra.from_formula import to_product
@@ -29,6 +29,7 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import symbols, walk
+from ..formula.ways_round import Difference, ways_round, written_round
 from ..frozen import replace
 from ..kinematics.plan import Plan
 from ..model.boxes import size_box, stroke_box
@@ -93,10 +94,12 @@ class ReadableFormulas:
         In the ``box`` of a mechanism's values signs are looked for that need no bars.
         """
         self._turns = turns
-        self._found = {definition.name for definition in plan.graph.pose.definitions}
+        self._ways: Set[Difference] = frozenset()
+        pose = plan.graph.pose
+        self._found = {definition.name for definition in pose.definitions}
         self._values: LazyValues = cache(partial(default_values, plan))
-        self._quarter = given_lines(plan.graph.pose)
-        self._ranges = cache(partial(box, plan.graph.pose.mechanism))
+        self._quarter = given_lines(pose)
+        self._ranges = cache(partial(box, pose.mechanism))
 
     def of(self, formula: Formula, longer: int = 0) -> Formula:
         """Return a formula with its sines of differences turned, its sums led by a plus.
@@ -109,8 +112,9 @@ class ReadableFormulas:
         written = over_line(with_positive_sines(formula, self._values, self._quarter, longer))
         if count_operations(written) > MOST_READ_OPERATIONS:
             return written
-        is_turned = not self._turns.isdisjoint(symbols(formula))
-        return plus_first(geometry_first(written, self._turns) if is_turned else written)
+        if not self._turns.isdisjoint(symbols(formula)):
+            written = geometry_first(written, self._turns)
+        return plus_first(written_round(written, self._ways, self._turns))
 
     def sines(self, formulas: Iterable[Formula]) -> Sequence[Formula]:
         """Return the sines of differences that are written in formulas as a person has them."""
@@ -148,9 +152,21 @@ class ReadableFormulas:
         return replace(result, formula=formula, zeros=zeros, poles=poles)
 
     def results(self, results: Sequence[Analysis]) -> tuple[Analysis, ...]:
-        """Return results, at values with those of the definitions that they rest on."""
+        """Return results, at values with those of the definitions that they rest on.
+
+        Their differences of angles are one way round, as are those of what is written later.
+        """
         self._values = cache(partial(_with_definitions, self._values, results))
-        return tuple(map(self.result, results))
+        shown = tuple(map(self.result, results))
+        self._ways = ways_round(self._formulas(shown), self._values, self._turns)
+        return tuple(map(self.result, shown))
+
+    def _formulas(self, results: Iterable[Analysis]) -> Iterator[Formula]:
+        """Yield the formulas of results and of what they rest on, but for what loops give."""
+        for result in results:
+            yield result.formula
+            yield from (d.formula for d in result.where if d.name not in self._found)
+            yield from (condition.left for condition in result.holds)
 
     def _held(self, condition: Require) -> Require:
         """Return a condition as results are written; what has a minus is turned round."""

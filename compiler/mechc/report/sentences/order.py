@@ -1,10 +1,11 @@
 """Items and terms in the order in which they are read, whoever prints."""
 
-from collections.abc import Iterable, Sequence, Set
+from collections.abc import Iterable, Set
 
 from ...formula.layout import has_minus
-from ...formula.tree import Call, Formula, Power, Product, Sum, negative, number, product, total
-from ...formula.walk import children, rebuild, symbols
+from ...formula.rewriting import by_opposite, by_tangent, rewritten
+from ...formula.tree import Call, Formula, Product, Sum, negative, total
+from ...formula.walk import symbols
 from ..languages.locale import Locale
 
 
@@ -52,31 +53,21 @@ def geometry_first(formula: Formula, turns: Set[str]) -> Formula:
     >>> cosine = Call("cos", (total([Symbol("alpha"), negative(Symbol("delta"))]),))
     >>> text(geometry_first(product([(sine, 1), (cosine, -1)]), {"delta"}))
     '-tan(alpha - delta)'
+    >>> text(geometry_first(product([(sine, -1), (cosine, 1)]), {"delta"}))
+    '-cot(alpha - delta)'
     """
-    parts = tuple(geometry_first(part, turns) for part in children(formula))
-    whole = rebuild(formula, parts) if parts else formula
-    match whole:
-        case Call("sin", (Sum(terms),)) if _led_by(terms, turns):
-            return negative(Call("sin", (_turned_round(terms),)))
-        case Call("cos", (Sum(terms),)) if _led_by(terms, turns):
-            return Call("cos", (_turned_round(terms),))
-        case Product(factors) if whole != formula:
-            return _by_tangent(factors) or whole
-        case Call("hypot" | "abs" as size, of):
-            return Call(size, tuple(negative(part) if has_minus(part) else part for part in of))
-        case _:
-            return whole
 
+    def first(whole: Formula) -> Formula | None:
+        match whole:
+            case Call("sin" | "cos" as function, (Sum(terms),)) if _led_by(terms, turns):
+                return by_opposite(function, _turned_round(terms))
+            case Product(factors):
+                return by_tangent(factors)
+            case Call("hypot" | "abs" as size, of):
+                return Call(size, tuple(negative(part) if has_minus(part) else part for part in of))
+        return None
 
-def _by_tangent(factors: Sequence[Formula]) -> Formula | None:
-    """Return a product with the tangent of an angle for its sine over its cosine; None if none."""
-    for factor in factors:
-        if isinstance(factor, Call) and factor.function == "sin":
-            below = Power(Call("cos", factor.arguments), number(-1))
-            if below in factors:
-                others = (f for f in factors if f not in (factor, below))
-                return product((f, 1) for f in (*others, Call("tan", factor.arguments)))
-    return None
+    return rewritten(formula, first)
 
 
 def _turned_round(terms: Iterable[Formula]) -> Formula:
