@@ -64,6 +64,33 @@ def test_bars_stand_only_where_the_sign_is_open():
         assert size in map(str.strip, lines)
 
 
+def test_angles_of_loops_need_neither_bars_nor_conditions() -> None:
+    """beta is an arc sine, of something positive: only phi can turn the friction round."""
+    source = """
+    mechanism crank
+    param r = 50 mm
+    param l = 150 mm
+    param phi = 50 deg in 20 deg .. 160 deg
+    pivot O at (0 mm, 0 mm)
+    slider B along x through O
+    link OA
+    link AB
+    OA = r @ phi
+    AB = l
+    assembly B forward
+    torque M on OA
+    force F at B along x
+    friction slider B 0.15
+    find k = M/F
+    find R_O
+    """
+    found = compile_source(Source("crank.mech", source))
+    assert isinstance(found, Compilation)
+    page = " ".join(render(found.derivation, found.mechanism).split())
+    assert "This holds while sin(β_AB + φ) > 0." in page
+    assert "R_O = |F| / cos β_AB" in page
+
+
 def test_differences_are_one_way_round_on_a_page() -> None:
     """Friction has phi - phi_AB, whose sine is positive; the ratio, negative, has it as well."""
     source = """

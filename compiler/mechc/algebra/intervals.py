@@ -117,12 +117,18 @@ def _quarter(low: float, high: float) -> NumberInterval:
 
 
 def _sine(low: float, high: float) -> NumberInterval:
-    """Return the range of the sine over an interval."""
+    """Return the range of the sine over an interval.
+
+    >>> _sine(1e-300, 3.0).low > 0
+    True
+    """
     if not high - low < 2 * math.pi:
         return NumberInterval(-1.0, 1.0)
     a, b = math.sin(low), math.sin(high)
     top = 1.0 if _holds(low, high, math.pi / 2) else max(a, b) + SLACK
     bottom = -1.0 if _holds(low, high, -math.pi / 2) else min(a, b) - SLACK
+    if low > 0 and high < math.pi:
+        bottom = max(bottom, LEAST)
     return NumberInterval(max(bottom, -1.0), min(top, 1.0))
 
 

@@ -16,11 +16,11 @@ from ..formula.evaluate import evaluate
 from ..formula.layout import has_minus
 from ..formula.operations import count_operations
 from ..formula.to_text import text
-from ..formula.tree import Formula, is_call, negative, number, product, total
+from ..formula.tree import Formula, negative, number, product, total
 from ..formula.walk import Substitution, symbols
 from ..frozen import frozen
 from ..kinematics.plan import Plan
-from ..model.boxes import POSITIVE, allowed_box
+from ..model.boxes import allowed_box, with_angles
 from ..model.result import Definition
 from ..model.values import Chain, completed, user_defined
 from ..named import NamedTuple
@@ -214,7 +214,7 @@ class DefaultPose:
     ) -> PrintedFormula | None:
         """Return the printed result at the pose; None where a value or a sign is missing."""
         values = self.values()
-        box = {**allowed_box(self._mechanism), **dict.fromkeys(self._distances(), POSITIVE)}
+        box = with_angles(allowed_box(self._mechanism), self._plan.graph.pose.definitions)
         taken = values.keys() | self._taken
         try:
             found = way(
@@ -250,12 +250,6 @@ class DefaultPose:
         )
         self.meanings.note(where)
         return DefinedFormula(put.of(found.formula), where, tuple(map(put.of, found.positive)))
-
-    def _distances(self) -> Iterator[str]:
-        """Yield the lengths that are distances of points: where one is 0, nothing has a value."""
-        for name, formula in self._plan.graph.pose.definitions:
-            if is_call(formula, "hypot"):
-                yield name
 
     def _own(self) -> Iterator[Definition]:
         """Yield the user's own formulas of parameters alone, each after those it needs."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..formula.tree import ZERO, Formula
 from ..formula.walk import reached, symbols
 from ..frozen import on_demand, replace
-from ..model.boxes import allowed_box
+from ..model.boxes import allowed_box, with_angles
 from ..model.mechanism import (
     Efficiency,
     Find,
@@ -96,7 +96,7 @@ def _as_it_is(
     named: DefinedFormula, sums: Sequence[Definition], problem: FrictionProblem
 ) -> PrintedFormula:
     """Return a formula of code as it is printed, with what it takes for granted."""
-    box = allowed_box(problem.mechanism)
+    box = with_angles(allowed_box(problem.mechanism), problem.plan.graph.pose.definitions)
     holds = tuple(dict.fromkeys(c for f in named.positive if (c := signed_part(f, box))))
     return PrintedFormula(named.formula, (*sums, *named.where), holds, (), named.positive)
 

@@ -3,9 +3,10 @@
 import math
 from collections.abc import Iterable
 
-from ..algebra.intervals import LEAST, IntervalBox, NumberInterval, widened
+from ..algebra.from_formula import to_product
+from ..algebra.intervals import LEAST, IntervalBox, NumberInterval, bounds, sign, widened
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula
+from ..formula.tree import Call, Formula, Number, Product, Sum, is_call
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..units import ANGLE
@@ -51,6 +52,71 @@ def size_box(mechanism: Mechanism) -> IntervalBox:
 def stroke_box(mechanism: Mechanism) -> IntervalBox:
     """Return the box of all values within the ranges given, that of the drive being its stroke."""
     return {**allowed_box(mechanism), **_stroke(mechanism)}
+
+
+ALIGNED = 1e-9
+"""How far from 0° and 90° an angle of a triangle is at least: elsewhere its sides are in line."""
+
+
+def with_angles(box: IntervalBox, definitions: Iterable[tuple[str, Formula]]) -> IntervalBox:
+    """Return a box with the distances and angles of definitions, as far as these have bounds.
+
+    Where points of a distance meet, or sides of a triangle are in line, nothing has a value.
+
+    >>> from ..formula.tree import Symbol
+    >>> beta = ("beta", Call("asin", (Symbol("a"),)))
+    >>> low, high = with_angles({"a": POSITIVE}, [beta])["beta"]
+    >>> 0 < low < high < math.pi / 2
+    True
+    """
+    known = dict(box)
+    for name, formula in definitions:
+        if is_call(formula, "hypot"):
+            known[name] = POSITIVE
+        elif math.isfinite(sum(found := _angle(formula, known))):
+            known[name] = found
+    return known
+
+
+def _angle(formula: Formula, box: IntervalBox) -> NumberInterval:
+    """Return bounds of an angle that may be the sum of others."""
+    match formula:
+        case Sum(terms):
+            parts = [_angle(term, box) for term in terms]
+            return widened(sum(p.low for p in parts), sum(p.high for p in parts))
+        case Product((Number(value), Call("asin" | "acos" | "atan2") as arc)) if value == -1:
+            low, high = _angle(arc, box)
+            return NumberInterval(-high, -low)
+        case Call("asin" | "acos" as function):
+            least = 0.0 if function == "acos" else -math.pi / 2
+            low, high = bounds(to_product(formula), box)
+            return _between(max(least, low), min(least + math.pi, high))  # or NaN
+        case Call("atan2", (up, right)):
+            return _between(*_quadrants(_side(up, box), _side(right, box)))
+        case _:
+            return bounds(to_product(formula), box)
+
+
+def _between(low: float, high: float) -> NumberInterval:
+    return NumberInterval(low + ALIGNED, high - ALIGNED)
+
+
+def _side(formula: Formula, box: IntervalBox) -> int:
+    """Return the sign of a component of a vector, 0 where it is open; that of a root is 1."""
+    return 1 if is_call(formula, "sqrt") else sign(to_product(formula), box) or 0
+
+
+def _quadrants(up: int, right: int) -> tuple[float, float]:
+    """Return between what a direction is whose components have signs, 0 where these are open.
+
+    >>> _quadrants(1, -1) == (math.pi / 2, math.pi)
+    True
+    """
+    quarter = math.pi / 2
+    if not up:
+        return (-quarter, quarter) if right > 0 else (-math.inf, math.inf)
+    low, high = {1: (0.0, quarter), -1: (quarter, math.pi), 0: (0.0, math.pi)}[right]
+    return (low, high) if up > 0 else (-high, -low)
 
 
 def _stroke(mechanism: Mechanism) -> IntervalBox:

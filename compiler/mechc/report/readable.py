@@ -32,7 +32,7 @@ from ..formula.walk import symbols, walk
 from ..formula.ways_round import Difference, ways_round, written_round
 from ..frozen import replace
 from ..kinematics.plan import Plan
-from ..model.boxes import size_box, stroke_box
+from ..model.boxes import size_box, stroke_box, with_angles
 from ..model.mechanism import Mechanism, Require, WithFriction
 from ..model.result import Definition
 from ..model.values import completed
@@ -99,7 +99,7 @@ class ReadableFormulas:
         self._found = {definition.name for definition in pose.definitions}
         self._values: LazyValues = cache(partial(default_values, plan))
         self._quarter = given_lines(pose)
-        self._ranges = cache(partial(box, pose.mechanism))
+        self._ranges = cache(lambda: with_angles(box(pose.mechanism), pose.definitions))
 
     def of(self, formula: Formula, longer: int = 0) -> Formula:
         """Return a formula with its sines of differences turned, its sums led by a plus.
