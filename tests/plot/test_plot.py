@@ -375,6 +375,36 @@ def test_a_stroke_without_a_drive_points_here(capsys):
     assert "`mechc plot FILE --x alpha` runs over its range" in capsys.readouterr().err
 
 
+SLOT = """
+param phi = 90 deg in 20 deg .. 160 deg
+pivot O at (0 mm, 0 mm)
+pivot C at (0 mm, 150 mm)
+link CA
+link OE
+CA = 50 mm @ phi
+OE = 350 mm
+slot A in OE
+drive phi from 20 deg to 160 deg
+torque M on CA
+force F at E along x
+friction contact A 0.3
+friction pins 0.2 diameter 40 mm
+find k = M/F
+"""
+
+
+def test_a_joint_at_rest_for_an_instant_has_the_friction_of_its_sides():
+    """As pages and `check` have it: code at exactly this pose has no friction in the slot."""
+    lever = mechc.loads(SLOT, "slot.mech")
+    plot = lever.plot(y=["k_f", "eta_k"], points=3).plot
+    beside = lever.evaluate(phi="90.0001 deg")
+    for curve, column in zip(plot.curves, plot.columns[1:], strict=True):
+        marks = [m.at.y for m in curve.marks if m.at.x == pytest.approx(math.pi / 2, abs=1e-9)]
+        assert marks == pytest.approx([beside[curve.name]] * 2, rel=1e-5)
+        assert column.values[1] == pytest.approx(marks[0], rel=1e-9)
+        assert lever.evaluate()[curve.name] != pytest.approx(marks[0], rel=1e-3)
+
+
 def test_dead_centres_are_no_loads_across_a_velocity():
     rocker = loaded("crank_rocker").plot(language="uk")
     (curve,) = rocker.plot.curves

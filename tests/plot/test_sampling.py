@@ -13,6 +13,7 @@ from mechc.frozen import replace
 from mechc.model.mechanism import Parameter
 from mechc.plot.dead_centres import _Rest
 from mechc.plot.fitting import limits, pieces, smooth
+from mechc.plot.narrowing import with_limits
 from mechc.plot.query import _is_round, rows, usual
 from mechc.plot.sampling import _touched, traced
 from mechc.units import ANGLE, LENGTH
@@ -52,6 +53,29 @@ def test_a_jump_is_neither_zero_nor_pole(shift):
     assert trace.jumps == pytest.approx([1 / 3], abs=1e-12)
     assert (trace.zeros, trace.poles) == ((), ())
     assert [set(ys) for _, ys in pieces(trace)] == [{shift - 1}, {shift + 1}]
+
+
+def still_at_one(function):
+    """Return a function at two points, at one of which it has a value of its own, 9."""
+    values = with_limits(lambda x: np.where(x == 1.0, 9.0, function(x)), lambda x: x == 1.0, 2.0)
+    return values(np.array([0.5, 1.0]))
+
+
+def test_what_stands_still_for_an_instant_has_the_value_of_its_sides():
+    assert still_at_one(lambda x: 3.0 + abs(x - 1.0)) == pytest.approx([3.5, 3.0], rel=1e-12)
+    assert still_at_one(lambda x: np.where(x < 1.0, x, np.nan)) == pytest.approx([0.5, 1.0])
+
+
+def test_what_stands_still_at_a_jump_has_no_value():
+    assert np.isnan(still_at_one(lambda x: np.where(x < 1.0, 2.0, 4.0))).tolist() == [False, True]
+
+
+def test_a_kink_at_a_place_is_an_extremum_although_narrowing_misses_it():
+    low, high = np.radians([20.0, 160.0])
+    place = np.linspace(low, high, 361)[180]
+    for slope in (0.1, 0.3, 1.0, 3.0, 7.0, 10.0):
+        (turn,) = whole(lambda x, m=slope: 0.913168 - m * abs(x - place), low, high).turns
+        assert turn == pytest.approx((-1, place, 0.913168), rel=1e-12)
 
 
 SIZES = np.array([32.0, 40.0, 50.0, 63.0, 80.0])

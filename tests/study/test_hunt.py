@@ -10,6 +10,7 @@ import pytest
 
 import free_bodies_shown
 import hunt
+import plotted_marks
 from conclusions import is_rough, slopes
 from hunt import Outcome, looked_at, outcome, summary
 from hunted import KINDS, Hunted, Made, made
@@ -17,6 +18,8 @@ from mechc.compilation import Compilation
 from mechc.formula.tree import Call, Symbol, number, product, total
 from mechc.frozen import replace
 from mechc.model.result import Definition
+from mechc.plot.plot import Mark
+from mechc.plot.query import Query
 from mechc.pose.places import Plane
 from mechc.source import Source
 from page import Page
@@ -75,6 +78,7 @@ def test_nothing_is_refuted_where_all_holds(tmp_path):
         ({"trends": {"alpha": "falls"}}, "limits: k falls with alpha: rises 239 times"),
         ({"zeros": ()}, "left out: k has order 1.00"),
         ({"independent": ("alpha",)}, "limits: k depends on alpha"),
+        ({"default": 0.4}, "curves: k is marked at 0.727"),
     ],
 )
 def test_a_falsehood_is_found(tmp_path, changes, said):
@@ -100,6 +104,20 @@ def test_rounding_beside_a_fold_is_no_falsehood_of_a_slope(tmp_path, part, is_re
     pose = {"alpha": math.pi / 2 - 2e-4, "beta": math.pi / 2 - 2e-4}
     refuted = [*slopes(hunted(tmp_path).compilation.mechanism, k, pose)]
     assert bool(refuted) == is_refuted, refuted
+
+
+def test_an_extremum_below_the_curve_is_found(tmp_path):
+    made = hunted(tmp_path).compilation
+    plot = made.plot(Query("alpha", ("k",)))
+    (curve,) = plot.curves
+    at = curve.pieces[0][100]
+    for lower, is_refuted in ((0.0, False), (0.1, True)):
+        mark = Mark("maximum", at._replace(y=at.y - lower))
+        alone = tuple(p for p in curve.pieces[0] if p.x <= at.x)
+        (panel,) = plot.panels
+        other = replace(panel, curves=(replace(curve, pieces=(alone,), marks=(mark,)),))
+        found = [*plotted_marks.refuted(made.results[0], replace(plot, panels=(other,)))]
+        assert bool(found) == is_refuted, found
 
 
 LOOKED_UP = """

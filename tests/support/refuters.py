@@ -16,6 +16,7 @@ import conclusions
 import extents
 import free_bodies_shown
 import friction_statements
+import plotted_marks
 import reference_kinematics
 import reference_strokes
 import statements
@@ -31,6 +32,7 @@ from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.registry import targets
 from mechc.emit.target import Options
 from mechc.model.parts.targets import LoadRatio, SpeedRatio, WithFriction
+from mechc.plot.query import Query, usual
 from mechc.report.text.derivation import render, render_brief
 from mechc.routine.evaluate import status
 from mechc.source import Source
@@ -212,6 +214,16 @@ def page(found: Hunted) -> Iterator[str]:
     yield from displaced(document.text)
 
 
+def curves(found: Hunted) -> Iterator[str]:
+    """Points that plots mark: what results are by default, extrema that go beyond the curve."""
+    made = found.compilation
+    if not (over := usual(made.pose.mechanism, made.routine)):
+        return
+    for result in made.results:
+        with suppress(MechcError):  # more loads than have values, or no curve at all
+            yield from plotted_marks.refuted(result, made.plot(Query(over.x, (result.name,))))
+
+
 def sums(found: Hunted) -> Iterator[str]:
     """Every formula of a derivation by sums of forces and moments, with friction behind it."""
     with suppress(MechcError):  # where no sums lead to a load
@@ -255,6 +267,6 @@ REFUTERS: dict[str, Callable[[Hunted], Iterator[str]]] = {
     one.__name__.replace("_", " "): one
     for one in (
         free_bodies, limits, left_out, causes, friction, ranges, stroke, branches,
-        motion, lengths, order, names, code, page, sums, bodies, outputs,
+        motion, lengths, order, names, code, page, curves, sums, bodies, outputs,
     )
 }  # fmt: skip

@@ -17,6 +17,12 @@ A function of systems of equations is dear for each time that it is asked, not f
 NEAR_POINT = 1e-9
 """What a function is near a point is what it is so far from it, as a part of a cell."""
 
+SIDE = 1e-6
+"""How far from a point its sides are looked at, as a part of the range."""
+
+SAME_SIDES = 1e-6
+"""By what part of themselves the limits on two sides may differ that are one."""
+
 EPS = float(np.finfo(np.float64).eps)
 
 
@@ -37,6 +43,32 @@ def without_holes(function: ArrayFunction, xs: Array, ys: Array) -> tuple[Array,
     beside = on(function, xs[holes][:, None] + aside[:, None] * np.array([-1.0, 1.0]))
     left_out = holes[np.isfinite(beside).all(axis=1)]
     return np.delete(xs, left_out), np.delete(ys, left_out)
+
+
+def with_limits(
+    function: ArrayFunction, is_left_out: Callable[[Array], NDArray[np.bool_]], width: float
+) -> ArrayFunction:
+    """Return a function that has what its sides come to where its own value is left out.
+
+    There is none where the sides come to different values: the function jumps there.
+    """
+
+    def at(grid: Array) -> Array:
+        values = function(grid)
+        places = np.flatnonzero(np.broadcast_to(is_left_out(grid), grid.shape))
+        values[places] = _limits(function, grid[places], SIDE * width)
+        return values
+
+    return at
+
+
+def _limits(function: ArrayFunction, xs: Array, step: float) -> Array:
+    """Return the limits at points, by straight lines on either side; NaN where these differ."""
+    around = on(function, xs[:, None] + step * np.array([-2.0, -1.0, 1.0, 2.0]))
+    before, after = 2 * around[:, 1] - around[:, 0], 2 * around[:, 2] - around[:, 3]
+    size = np.fmax(np.abs(before), np.abs(after))
+    is_jump = np.abs(before - after) > SAME_SIDES * size
+    return np.where(is_jump, np.nan, np.nanmean([before, after], axis=0))
 
 
 def within(low: Array, high: Array) -> Array:

@@ -3,9 +3,12 @@
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..model.mechanism import Let, Mechanism, Parameter
 from ..named import NamedTuple
-from ..routine.evaluate import evaluate, pose
+from ..routine.evaluate import at_rest, evaluate, has_senses, pose
 from ..routine.steps import Input, PoseProgram, Routine, closed_dimensions
 from ..units import ANGLE, USUAL_UNITS, Dimension, si_unit
 from .narrowing import Array
@@ -14,7 +17,10 @@ ColumnValues = Mapping[str, float | Array]
 
 
 class PlotQuantity(NamedTuple):
-    """A number that the program gives: what it measures, what it rests on, its values."""
+    """A number that the program gives: what it measures, what it rests on, its values.
+
+    With friction it has none of a joint that is ``at_rest``: there its sides have its value.
+    """
 
     name: str
     dimension: Dimension
@@ -22,6 +28,7 @@ class PlotQuantity(NamedTuple):
     at: Callable[[ColumnValues], object]
     unit: str = ""
     is_result: bool = False
+    at_rest: Callable[[ColumnValues], NDArray[np.bool_]] | None = None
 
 
 def quantities(routine: Routine, mechanism: Mechanism) -> dict[str, PlotQuantity]:
@@ -37,7 +44,8 @@ def _results(routine: Routine, mechanism: Mechanism) -> Iterator[PlotQuantity]:
     units = {let.name: let.unit for let in mechanism.lets}
     for f in routine.functions:
         unit = units.get(f.name, "")
-        yield PlotQuantity(f.name, f.dimension, f.inputs, partial(evaluate, f), unit, True)
+        values, still = partial(evaluate, f), partial(at_rest, f) if has_senses(f) else None
+        yield PlotQuantity(f.name, f.dimension, f.inputs, values, unit, True, still)
 
 
 def _closed(routine: Routine, mechanism: Mechanism) -> Iterator[PlotQuantity]:

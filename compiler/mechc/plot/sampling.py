@@ -140,12 +140,18 @@ def _touched(function: ArrayFunction, xs: Array, ys: Array) -> Iterator[float]:
 
 
 def _turns(function: ArrayFunction, xs: Array, ys: Array, breaks: Array) -> Iterator[TurningPoint]:
-    """Yield the extrema between points, but for those next to a break."""
+    """Yield the extrema between points, but for those next to a break.
+
+    A kink at a point is narrowed down to half its digits: the point itself is the extremum.
+    """
     cells, signs = _turning_points(xs, ys, breaks)
     found = _refined(function, xs[cells - 1], xs[cells + 1], signs)
-    for sign, x, y, bound in zip(signs, *found, signs * ys[cells], strict=True):
-        if sign * y <= bound:
+    missed = PROMINENT * _usual(ys)
+    for sign, x, y, point, value in zip(signs, *found, xs[cells], ys[cells], strict=True):
+        if sign * y <= sign * value:
             yield TurningPoint(int(sign), float(x), float(y))
+        elif sign * y <= sign * value + missed:
+            yield TurningPoint(int(sign), float(point), float(value))
 
 
 def _turning_points(xs: Array, ys: Array, breaks: Array) -> tuple[NDArray[np.intp], Array]:

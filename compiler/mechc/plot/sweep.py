@@ -14,7 +14,7 @@ from ..model.mechanism import Mechanism
 from ..model.values import defaults, range_of
 from ..routine.steps import Input
 from ..units import USUAL_UNITS, Dimension
-from .narrowing import Array, ArrayFunction
+from .narrowing import Array, ArrayFunction, with_limits
 from .plot import FamilyValue, Panel, Plot, PlotAxis, PlotColumn
 from .quantities import PlotQuantity, unit_of
 from .query import GivenSetting, Query
@@ -46,7 +46,10 @@ class PlotRange:
             found = quantity.at({**given, self.x.name: grid})
             return np.broadcast_to(np.asarray(found, dtype=np.float64), grid.shape).copy()
 
-        return at
+        if (still := quantity.at_rest) is None:
+            return at
+        width = self.high - self.low
+        return with_limits(at, lambda grid: still({**given, self.x.name: grid}), width)
 
     def axis(self, quantity: PlotQuantity) -> PlotAxis:
         """Return a quantity's axis."""

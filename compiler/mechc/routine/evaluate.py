@@ -12,12 +12,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..formula.choices import SIGNS, equal_within, spelled_out
-from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import (
+    Call,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    is_call,
+)
 from ..model.result import DrivingLoad
 from .arcs import Array
 from .newton import SolverEquations, follow
 from .quotient import quotient_of
-from .steps import NO_LOAD, Function, Guard, PoseProgram, ProgramStatement, Solve, Solver
+from .steps import (
+    NO_LOAD,
+    Function,
+    Guard,
+    PoseProgram,
+    ProgramStatement,
+    ResultStatus,
+    Solve,
+    Solver,
+)
 
 Value: TypeAlias = float | Array
 OnArrays = Callable[..., Value]
@@ -82,7 +102,7 @@ def evaluate(function: Function, values: Mapping[str, Value]) -> Value:
 
 
 def _value(function: Function, values: Mapping[str, Value]) -> Array:
-    scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in function.inputs}
+    scope = _inputs(function, values)
     with np.errstate(all="ignore"):
         for step in function.steps:
             _run(step, scope)
@@ -90,6 +110,32 @@ def _value(function: Function, values: Mapping[str, Value]) -> Array:
         for guard in function.guards:
             result = np.where(_holds(guard, scope), result, np.nan)
     return result
+
+
+def _inputs(
+    program: Function | PoseProgram | ResultStatus, values: Mapping[str, Value]
+) -> dict[str, Array]:
+    return {i.name: np.asarray(values[i.name], dtype=np.float64) for i in program.inputs}
+
+
+def has_senses(function: Function) -> bool:
+    """Return whether joints of a function have friction whose sense is that of a slip."""
+    return any(is_call(step.formula, "sense") for step in function.where)
+
+
+def at_rest(function: Function, values: Mapping[str, Value]) -> NDArray[np.bool_]:
+    """Return where a slip is zero, so that its friction has no sense.
+
+    The output has no friction of that joint there, and differs from what it comes to next to it.
+    """
+    names = {step.name for step in function.where if is_call(step.formula, "sense")}
+    scope = _inputs(function, values)
+    with np.errstate(all="ignore"):
+        for step in function.steps:
+            _run(step, scope)
+    found = [scope[name] == 0 for name in names & scope.keys()]
+    here = reduce(np.logical_or, found, np.asarray(False))
+    return here | at_rest(function.otherwise, values) if function.otherwise else here
 
 
 def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> Array:
@@ -101,7 +147,7 @@ def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> 
     assert asked is not None, "only results with friction have a status"
     value, without = (np.asarray(evaluate(f, values)) for f in (function, ideal))
     load = value
-    scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in asked.inputs}
+    scope = _inputs(asked, values)
     with np.errstate(all="ignore"):
         done = [_run(step, scope) for step in asked.steps]
         if isinstance(asked.drive, DrivingLoad):
@@ -136,7 +182,7 @@ def pose(pose: PoseProgram, values: Mapping[str, Value]) -> tuple[dict[str, Valu
     The status is 0 where the loops close, 1 where the loops do not close or a branch has
     ended, and 2 where Newton's method ran out of corrections.
     """
-    scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in pose.inputs}
+    scope = _inputs(pose, values)
     status: Array = np.asarray(0.0)
     with np.errstate(all="ignore"):
         for step in pose.steps:
