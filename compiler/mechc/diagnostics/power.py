@@ -146,6 +146,31 @@ def branch_point(at: Span, links: Sequence[str]) -> Message:
     )
 
 
+@coded("E544")
+def nothing_balances(at: Span, loads: Sequence[str], tied: Sequence[str]) -> Message:
+    """The loads that do work are in equilibrium only where all of them are zero.
+
+    A lever with one load turns: another load is missing, or what holds the lever. Of two that are
+    tied the tie is too much, as their ratio follows from the mechanism::
+
+        force P at A along y
+        find R_O                        # wrong: with P alone R_O is that of P = 0
+        force F = 2*P at B along -y
+        find k = P/F                    # wrong: the arms say what k is
+    """
+    if tied:
+        return Message(
+            at,
+            f"{listed(loads, 'and')} balance only where they are zero: nothing else does work",
+            f"leave out the tie of {tied[0]}: their ratio follows from the mechanism",
+        )
+    return Message(
+        at,
+        f"nothing balances {listed(loads, 'and')}: in equilibrium there is no such load",
+        "name the load that balances it, or hold what it moves",
+    )
+
+
 @coded("E543")
 def loads_stand_still(at: Span) -> Message:
     """At the default pose the mechanism can move only so that no load does work.

@@ -25,14 +25,15 @@ from .balance import AlgebraicResult, Balance
 from .load_results import load_form, load_ratio
 from .numbers import checked
 from .problem import PowerProblem, problem_of
-from .remarks import warn_of_idle_loads, warn_of_idle_motions
+from .remarks import refuse_unbalanced, warn_of_idle_loads, warn_of_idle_motions
 
 
 def balance(plan: Plan, report: Report) -> Balance:
     """Return the power equations and what was asked for without friction.
 
     Reports E501 … E508 where a result is not determined or not finite at the default
-    pose, W501 … W504 for loads without work, zero and negative ratios, idle degrees of freedom.
+    pose, E544 where nothing balances the loads, W501 … W504 for loads without work, zero and
+    negative ratios, idle degrees of freedom.
     """
     problem = problem_of(plan, report)
     answers = [_answer(problem, find) for find in problem.mechanism.finds]
@@ -40,6 +41,7 @@ def balance(plan: Plan, report: Report) -> Balance:
     terms, equations, driving = problem.terms, problem.equations, problem.driving
     balanced = Balance(plan, terms, equations, driving, solved, problem.reading.plan)
     report.stop_on_errors()
+    refuse_unbalanced(problem)
     warn_of_idle_motions(problem)
     if not problem.mechanism.friction.joints:
         warn_of_idle_loads(balanced, balanced.results, report)

@@ -15,18 +15,21 @@ from .definitions import intermediates
 from .linear_forms import linear_form
 from .loads import at_rest, held_drives
 from .problem import PowerProblem
-from .remarks import looseness
+from .remarks import looseness, unbalanced
 
 
 def load_ratio(problem: PowerProblem, find: Find, asked: LoadRatio) -> AlgebraicResult | None:
     """Return a load per unit of another, others being absent; None where that is not fixed.
 
-    Reports E501 … E503 there.
+    Reports E501 … E503 there, E544 where a tie leaves nothing to balance.
     """
     equations = problem.equations
     (upper, factor), (lower, divisor) = map(equations.owner, (asked.above, asked.below))
     factor = factor / divisor
     if upper == lower:
+        if problem.balances_at_zero_alone and upper in equations.columns:
+            problem.report.add(unbalanced(problem, find))
+            return None
         return _ratio(problem, find, asked, factor)
     others = [n for n in equations.columns if n not in (upper, lower)]
     unknown = [upper, *others]

@@ -63,6 +63,16 @@ class PowerProblem:
             return self.asked_for
         return self.left if 0 < open_ < len(self.left) else ()
 
+    @property
+    def balances_at_zero_alone(self) -> bool:
+        """Return whether the loads that do work balance where they are zero, and nowhere else.
+
+        Friction would balance them, too.
+        """
+        equations, working = self.equations, list(self.equations.columns)
+        is_square = 0 < len(working) == equations.number
+        return is_square and not self.mechanism.friction.joints and equations.determines(working)
+
     def given(self, load: str) -> Formula | None:
         """Return the size that the description gives a load."""
         return given_size(self.mechanism, load)

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from ..diagnostics import Report, syntax
+from ..diagnostics import Diagnostic, Report, syntax
 from ..diagnostics import power as messages
 from ..formula.walk import symbols
 from ..kinematics.graph import SpeedKind
 from ..model.mechanism import (
     Contact,
     Feed,
+    Find,
     Link,
     LoadRatio,
     Mechanism,
@@ -111,6 +112,23 @@ def warn_of_idle_motions(problem: PowerProblem) -> None:
     named = [f"{'link' if d.kind is SpeedKind.SPIN else 'point'} {d.of}" for d in drives]
     what = sorted(dict.fromkeys(named), key=lambda name: spans[name])
     problem.report.add(messages.idle_freedom(spans[what[0]], what))
+
+
+def refuse_unbalanced(problem: PowerProblem) -> None:
+    """Report E544 where all that acts does work, and balances only where it is zero."""
+    finds = (f for f in problem.mechanism.finds if not isinstance(f.target, SpeedRatio))
+    first = next(finds, None)
+    if first and problem.balances_at_zero_alone and not problem.equations.idle_loads:
+        problem.report.add(unbalanced(problem, first))
+        problem.report.stop_on_errors()
+
+
+def unbalanced(problem: PowerProblem, find: Find) -> Diagnostic:
+    """Return E544: nothing balances the loads that do work."""
+    equations, mechanism = problem.equations, problem.mechanism
+    working = [k for k in mechanism.loads if equations.owner(k.name)[0] in equations.columns]
+    tied = [k.name for k in working if k.tie is not None]
+    return messages.nothing_balances(find.span, [k.name for k in working], tied)
 
 
 def warn_of_idle_loads(balance: Balance, results: Sequence[Result], report: Report) -> None:
