@@ -282,7 +282,7 @@ def perhaps_a_half(span: Span, point: str, load: str) -> Message:
 
 @coded("W243")
 def pair_without_pins(
-    span: Span, load: str, ends: tuple[str, str], loose: Sequence[str]
+    span: Span, load: str, ends: tuple[str, str], loose: Sequence[str], can_be_held: bool
 ) -> Message:
     """Every pin is said to have friction, and a pair of forces has no pins of its own.
 
@@ -295,9 +295,9 @@ def pair_without_pins(
         actuator P between A on OA and B on BC    # right where no pins hold its ends
     """
     message = f"{load} is a pair of forces: its ends at {' and '.join(ends)} have no friction"
-    pins = f"add 'telescope {''.join(ends)}' if pins hold its ends"
+    pins = f"add 'telescope {''.join(ends)}' if pins hold its ends; if not, " if can_be_held else ""
     links = listed((f"'{point} on …'" for point in loose), "and")
-    return Message(span, message, f"{pins}; if not, say on which link it acts: {links}")
+    return Message(span, message, f"{pins}say on which link it acts: {links}")
 
 
 @coded("W244")

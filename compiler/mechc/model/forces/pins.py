@@ -123,7 +123,8 @@ def remark_on_pairs(built: Mechanism, scope: NameScope) -> None:
     """Say which pairs of forces act at points, so that their ends are no pins with friction."""
     for load in built.pairs_at_pins():
         ends, loose = (load.first, load.second), built.loose_ends(load)
-        found = messages.pair_without_pins(load.span, load.name, ends, loose)
+        can_be_held = not load.joins_twins  # a telescope is in one half
+        found = messages.pair_without_pins(load.span, load.name, ends, loose, can_be_held)
         scope.report.add(found)
 
 
