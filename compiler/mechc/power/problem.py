@@ -12,6 +12,7 @@ from ..formula.tree import Formula
 from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.mechanism import Find, Load, LoadForm, LoadRatio, Mechanism
+from ..model.parts.friction import PivotFriction
 from ..model.result import Result
 from ..units import Dimension
 from . import reactions
@@ -67,11 +68,14 @@ class PowerProblem:
     def balances_at_zero_alone(self) -> bool:
         """Return whether the loads that do work balance where they are zero, and nowhere else.
 
-        Friction would balance them, too.
+        Friction balances them, too, where what does no work, or a given thrust, presses joints.
         """
         equations, working = self.equations, list(self.equations.columns)
-        is_square = 0 < len(working) == equations.number
-        return is_square and not self.mechanism.friction.joints and equations.determines(working)
+        joints = self.mechanism.friction.joints
+        is_pressed = equations.idle_loads or any(isinstance(k, PivotFriction) for k in joints)
+        if (joints and is_pressed) or not 0 < len(working) == equations.number:
+            return False
+        return equations.determines(working)
 
     def given(self, load: str) -> Formula | None:
         """Return the size that the description gives a load."""
