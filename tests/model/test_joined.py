@@ -418,7 +418,7 @@ def test_a_wrong_unit_and_a_pivot_without_place_of_a_part(tmp_path: Path) -> Non
     assert_says({"E559", "l = 2 kN", "param l = 100 mm"}, text)
     without = HALF.replace("pivot O at (0 mm, 0 mm)", "pivot O")
     text = refused(written(tmp_path, CRANK_BESIDE.replace("assembly O1BC cw\n", ""), half=without))
-    assert_says({"E312", "write `pivot O at (0 mm, 0 mm)`"}, text)
+    assert_says({"E312", "`pivot O at (100 mm, 20 mm)`"}, text)
 
 
 def test_remarks_of_a_part_keep_their_translations(tmp_path: Path) -> None:

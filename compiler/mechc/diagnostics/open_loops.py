@@ -33,7 +33,7 @@ def pivot_without_place(at: Span, pivot: str, other: str, own: str, prefix: str)
     return Message(
         at,
         f"{pivot} has no place{seen}, and no loop closes through it",
-        f"write `pivot {own} at (0 mm, 0 mm)`{join if prefix else ''}",
+        f"write where it is, as in `pivot {own} at (100 mm, 20 mm)`{join if prefix else ''}",
     )
 
 

@@ -16,6 +16,7 @@ def missing_direction(
     rod: str = "",
     fall_to: str = "",
     unplaced: str = "",
+    loose: str = "",
 ) -> Message:
     """A direction is needed and nothing gives it.
 
@@ -42,7 +43,8 @@ def missing_direction(
     length = f"give the length of {rod}, `{rod} = 100 mm`, for a loop to close, or "
     fall = f"write it behind the point at which the fall ends, `{fall_to} along y`, or "
     pivot = f"say where {unplaced} is, `pivot {unplaced} at (0 mm, 0 mm)`, or "
-    hints = ((guided, place), (rod, length), (fall_to, fall), (unplaced, pivot))
+    ground = f"write `pivot {loose} at (…)`, if it is pinned to the ground, or "
+    hints = ((guided, place), (rod, length), (fall_to, fall), (unplaced, pivot), (loose, ground))
     first = next((hint for name, hint in hints if name), "")
     return Message(
         at,

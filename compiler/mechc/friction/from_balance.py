@@ -109,7 +109,7 @@ def _answer(
 
 def _check_lengths(find: Find, result: Result, balance: Balance, report: Report) -> None:
     if missing := open_lengths(balance.plan, (result.formula, *(d.formula for d in result.where))):
-        report.add(power_messages.length_not_given(find.span, find.name, missing))
+        report.add_first(power_messages.length_not_given(find.span, find.name, missing))
 
 
 def _with_default(

@@ -31,16 +31,14 @@ def plan_of(
     relations = [r for r, keep in zip(graph.relations, kept, strict=True) if keep]
     redundant = tuple(r for r, keep in zip(graph.relations, kept, strict=True) if not keep)
     mobility = len(graph.unknowns) - len(relations)
-    for relation in redundant:
-        report.add(
-            messages.redundant_constraint(
-                relation.span, locked.described(relation, graph.pose.mechanism)
-            )
-        )
-    if mobility == 0 and may_stand and graph.unknowns:
-        return _standing(graph, relations, redundant)
-    if mobility <= 0:
+    stands = mobility == 0 and may_stand and bool(graph.unknowns)
+    if mobility <= 0 and not stands:
         raise report.fail(messages.nothing_can_move(*locked.locked(graph, relations)))
+    for relation in redundant:
+        what = locked.described(relation, graph.pose.mechanism)
+        report.add(messages.redundant_constraint(relation.span, what))
+    if stands:
+        return _standing(graph, relations, redundant)
     if mobility > MOTIONS:
         span = graph.pose.mechanism.span
         raise report.fail(messages.too_many_motions(span, mobility, MOTIONS))

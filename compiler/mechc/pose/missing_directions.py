@@ -60,8 +60,9 @@ def explained(
         tail, head, _ = sought[name]
         guided = _nearest_guide_without_line(mechanism, {tail, head})
         what, near = f"link {link.name}", _near(mechanism)
-        rod = _without_length(mechanism)
-        yield plain.missing_direction(link.span, f"{tail}{head}", what, guided, near, rod)
+        rod, loose = _without_length(mechanism), _placed_and_loose(mechanism)
+        points = f"{tail}{head}"
+        yield plain.missing_direction(link.span, points, what, guided, near, rod, loose=loose)
 
 
 def unfound_angles(
@@ -165,6 +166,14 @@ def _without_length(mechanism: Mechanism) -> str:
     given = {frozenset((g.tail, g.head)) for g in mechanism.geometry if not isinstance(g, Turn)}
     rods = [k.name for k in mechanism.links if len(k.points) == 2 and {*k.points} not in given]
     return rods[0] if mechanism.drive and len(rods) == 1 else ""
+
+
+def _placed_and_loose(mechanism: Mechanism) -> str:
+    """Return the first point with a place of which nothing says what holds it, '' for none."""
+    held = {*mechanism.fixed, *(point for joint in mechanism.joints for point in joint.points)}
+    links = mechanism.rigid_bodies
+    alone = (d.point for d in mechanism.drawn if sum(d.point in k.points for k in links) == 1)
+    return next((point for point in alone if point not in held), "")
 
 
 def _near(mechanism: Mechanism) -> str:

@@ -196,6 +196,8 @@ def check_unit(number: Token, behind: Token, first: Token) -> None:
         hint = DIAMETER if first == "friction" and behind in OF_A_PIN else hint
         hint = WRAP if first == "friction" and behind == "wrap" else hint
         hint = FIT if FIT_OF_A_HOLE.fullmatch(behind) else hint
+        if behind in ("O", "o") and span_of(number).end == span_of(behind).start:
+            hint = f"if the figure 0 is meant, and not the letter: {number}0"
         if first in OF_POINTS and POINT.fullmatch(behind):
             hint = f"the number of a point stands behind its letter: {behind}{number}"
         if unit and behind in UNITS:

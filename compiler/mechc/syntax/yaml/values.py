@@ -160,6 +160,9 @@ def pin(node: YamlNode, source: Source) -> Fields:
     """Read a point, or ``pins`` for all of them."""
     if isinstance(node, Scalar) and node.text == "pins":
         return (None,)
+    if isinstance(node, Scalar) and node.text == "pin":
+        hint = "all pins are 'pins', and one is its point, as O"
+        raise Fault(syntax.not_a_point(node.span, node.text, "a point", hint))
     return (point_name("point", node),)
 
 
