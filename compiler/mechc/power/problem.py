@@ -72,8 +72,8 @@ class PowerProblem:
         """
         equations, working = self.equations, list(self.equations.columns)
         joints = self.mechanism.friction.joints
-        is_pressed = equations.idle_loads or any(isinstance(k, PivotFriction) for k in joints)
-        if (joints and is_pressed) or not 0 < len(working) == equations.number:
+        is_loaded = equations.idle_loads or any(isinstance(k, PivotFriction) for k in joints)
+        if (joints and is_loaded) or not 0 < len(working) == equations.number:
             return False
         return equations.determines(working)
 
