@@ -85,10 +85,7 @@ def _ahead(sides: ArrayEquations, poses: PoseIndices, curves: _Curves) -> tuple[
     is_end = is_found & is_last
     is_within = is_found & (found[-1] <= 1.0)
     cosine = _dot(turned, tangents)
-    rises, is_alike = turned[-1] > 0.0, there == side
-    close = np.where(rises, arcs.STRAIGHT_COSINE, arcs.FOLDED)
-    bent = np.where(is_alike & (rises | (length <= arcs.SHARP)), arcs.ARC_COSINE, close)
-    good = is_within & (there != 0) & (rises | is_alike) & (cosine >= bent)
+    good = is_within & _goes_on(turned, there, length, cosine, side)
     longer = np.where(cosine >= arcs.EASY, np.minimum(2.0 * arc, arcs.LONGEST), arc)
     is_fold = good & ~is_end & (turned[-1] <= 0.0)
     status = np.where(is_end, 0.0, np.where(is_fold, 1.0, 2.0))
@@ -102,6 +99,18 @@ def _ahead(sides: ArrayEquations, poses: PoseIndices, curves: _Curves) -> tuple[
         ),
         status,
     )
+
+
+def _goes_on(turned: Array, there: Array, length: Array, cosine: Array, side: Array) -> Flags:
+    """Return where a curve goes on behind arcs of these lengths, bent no more than they may be.
+
+    It is ``turned`` there, by the angle of a ``cosine``; the determinant has the sign ``there``.
+    """
+    rises, is_alike = turned[-1] > 0.0, there == side
+    close = np.where(rises, arcs.STRAIGHT_COSINE, arcs.FOLDED)
+    bent = np.where(is_alike & (rises | (length <= arcs.SHARP)), arcs.ARC_COSINE, close)
+    goes_on: Flags = (there != 0) & (rises | is_alike) & (cosine >= bent)
+    return goes_on
 
 
 def _straight(

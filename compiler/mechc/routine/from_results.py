@@ -9,7 +9,7 @@ from ..formula.tree import Formula, Implicit, Number, Symbol
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.dependence import unused
-from ..model.mechanism import Load, Mechanism, Parameter, WithFriction
+from ..model.mechanism import Load, Mechanism, Parameter, Require, WithFriction
 from ..model.result import FrictionResult, Result
 from ..model.statements import is_sheet
 from ..pose.pose import ClosedLoop
@@ -55,36 +55,38 @@ def program(
     What a used mechanism gives and nothing in a sheet needs has no function.
     Raises ``LookupError`` for a name that neither the mechanism nor a result explains.
     """
-    scope, inputs = ProgramScope(mechanism, results, definitions or {}), _inputs(mechanism)
+    definitions, inputs = definitions or {}, _inputs(mechanism)
+    scope = ProgramScope(mechanism, results, definitions)
     names = (*inputs, *scope.results)
     needed = _needed(mechanism, results)
     listed = [asked(r, scope, inputs, loops) for r in needed]
-    made = _functions(listed, scope, names)
+    found = _functions(listed, scope, names)
     changed = tuple(r.elsewhere or r for r in results)
-    other = ProgramScope(mechanism, changed, definitions or {}) if changed != results else scope
-    elsewhere = [asked(r.elsewhere, other, inputs, loops) for r in needed if r.elsewhere]
-    coupled = _separate(elsewhere, other, names)
-    otherwise = (coupled.get(r.name) for r in needed)
+    other = ProgramScope(mechanism, changed, definitions) if changed != results else scope
+    forms = [asked(r.elsewhere, other, inputs, loops) for r in needed if r.elsewhere]
+    elsewhere = _separate(forms, other, names)
+    otherwise = (elsewhere.get(r.name) for r in needed)
     companions = Companions(scope, tuple(inputs.values()))
-    joined = starmap(companions.joined, zip(made, otherwise, listed, strict=True))
+    joined = starmap(companions.joined, zip(found, otherwise, listed, strict=True))
     units = _units(mechanism)
-    functions = tuple(replace(function, units=_given(function, units)) for function in joined)
-    pose = _pose(scope, inputs, loops)
-    points = _points(mechanism, motion, inputs, definitions or {}) if motion else None
+    made = tuple(replace(each, units=_given(each, units)) for each in joined)
     tests = checks(scope, inputs, names) if is_sheet(mechanism) else None
-    name, title, source = mechanism.name, mechanism.title, mechanism.source
-    checked = {id(r) for one in listed for r in one.requires}
-    unchecked = tuple(r for r in mechanism.requires if id(r) not in checked and not tests)
     return Routine(
-        name=name,
-        title=title,
-        source=source,
-        functions=functions,
-        pose=pose,
-        points=points,
+        name=mechanism.name,
+        title=mechanism.title,
+        source=mechanism.source,
+        functions=made,
+        pose=_pose(scope, inputs, loops),
+        points=_points(mechanism, motion, inputs, definitions) if motion else None,
         checks=tests,
-        unchecked=unchecked,
+        unchecked=() if tests else _unchecked(mechanism, listed),
     )
+
+
+def _unchecked(mechanism: Mechanism, listed: Iterable[AskedResult]) -> tuple[Require, ...]:
+    """Return the conditions that no function checks."""
+    checked = {id(r) for one in listed for r in one.requires}
+    return tuple(r for r in mechanism.requires if id(r) not in checked)
 
 
 def _units(mechanism: Mechanism) -> dict[str, str]:

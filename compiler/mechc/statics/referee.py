@@ -71,29 +71,39 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
     _measure(pose, poses, report)
     balanced = Replay(Balanced(pose, values) for values in poses)
     for at in islice(balanced, 1):
-        for fault in pulling(results, at):
-            report.add(fault)
-        _refuse_slack(slack(results, at), pose, report)
-        if pose.mechanism.friction.everywhere:
-            _count_pins(at, report)
+        _check_contacts(results, at, report)
     trials: list[Trial] = []
     remarks: list[Untried] = []
     part = most_of_what_is_left()
     for question in questions(results, pose.mechanism):
-        found, troubles = _cross_check(question, iter(balanced), wanted, part)
-        trials.extend(found)
-        if one := next((trial for trial in found if trial.is_one_of_several), None):
-            report.add(_one_of_several(one, pose))
-        if len(found) < wanted:
-            remarks.append(_untried(question.name, found, troubles, wanted))
-        if troubles and not found:
-            is_fixed = all(p.dependent for p in pose.mechanism.parameters)
-            report.add(_unchecked(question.name, troubles, pose.mechanism.span, is_fixed))
+        checked = _cross_check(question, iter(balanced), wanted, part)
+        trials.extend(checked.trials)
+        _remark_on(question, checked, pose, report)
+        if len(checked.trials) < wanted:
+            remarks.append(_untried(question.name, checked, wanted))
     if remarks and next(iter(poses), None) is None:
         report.add(_nothing_checked(pose, report))
     verdict = Verdict(tuple(trials), tuple(remarks))
     _stop_on_disagreement(verdict, pose.mechanism.span, report)
     return verdict
+
+
+def _check_contacts(results: tuple[Result, ...], at: Balanced, report: Report) -> None:
+    """Report bodies in contact that pull, ropes that push, and friction that acts at no pin."""
+    for fault in pulling(results, at):
+        report.add(fault)
+    _refuse_slack(slack(results, at), at.pose, report)
+    if at.pose.mechanism.friction.everywhere:
+        _count_pins(at, report)
+
+
+def _remark_on(question: Question, checked: CrossChecked, pose: Pose, report: Report) -> None:
+    """Warn of an answer that is one of several, and of a question without a trial."""
+    if one := next((trial for trial in checked.trials if trial.is_one_of_several), None):
+        report.add(_one_of_several(one, pose))
+    if checked.troubles and not checked.trials:
+        is_fixed = all(p.dependent for p in pose.mechanism.parameters)
+        report.add(_unchecked(question.name, checked.troubles, pose.mechanism.span, is_fixed))
 
 
 def _refuse_slack(faults: Iterable[Diagnostic], pose: Pose, report: Report) -> None:
@@ -203,10 +213,9 @@ def _one_of_several(trial: Trial, pose: Pose) -> Diagnostic:
     return messages.several_balances(span, trial.result, trial.power, place)
 
 
-def _untried(
-    name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...], wanted: int
-) -> Untried:
-    return Untried(name, len(trials), wanted, troubles[-1] if troubles else NO_MORE)
+def _untried(name: str, checked: CrossChecked, wanted: int) -> Untried:
+    last = checked.troubles[-1] if checked.troubles else NO_MORE
+    return Untried(name, len(checked.trials), wanted, last)
 
 
 def _unchecked(name: str, troubles: tuple[str, ...], span: Span, is_fixed: bool) -> Diagnostic:

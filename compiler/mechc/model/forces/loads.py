@@ -128,31 +128,35 @@ def _distributed(
     link, ends = scope.points.link(statement.line), scope.points.acting(statement.line)
     along = read_direction(statement.along, scope)
     times = _times(statement.times, scope)
-    reader = Reader(scope, DESCRIPTION)
-    written = [e for e in (statement.intensity, statement.end) if e is not None]
-    read = [reader.wanted(e, STIFFNESS, "an intensity") for e in written]
-    name = statement.name.text
-    _check_senses(statement, read, scope)
-    intensities = tuple(
-        scope.named("q", name, formula, STIFFNESS, e.span)
-        for e, formula in zip(written, read, strict=True)
-        if formula is not None
-    )
-    if link is None or not ends or not along or len(intensities) < len(written):
+    name, at = statement.name.text, statement.line.span
+    intensities = _intensities(statement, scope)
+    if link is None or not ends or not along or intensities is None:
         return None
     if intensities and _cancels(intensities, scope):
-        scope.report.add(
-            lowering_messages.spread_without_resultant(statement.line.span, statement.name.text)
-        )
+        scope.report.add(lowering_messages.spread_without_resultant(at, name))
         return None
     length = _length(ends[0], ends[1], built)
     if length is None:
-        ray, at = ray_through((ends[0], ends[1]), built.geometry), statement.line.span
+        ray = ray_through((ends[0], ends[1]), built.geometry)
         start = ray.start if ray else ""
         scope.report.add(lowering_messages.stretch_without_length(at, ends[0], ends[1], start))
         return None
     spread = Spread(link.name, ends[0], ends[1], length, _centroid(intensities), intensities)
     return Force(name, point, along, statement.span, spread.resultant, times, spread=spread)
+
+
+def _intensities(statement: ast.Distributed, scope: NameScope) -> tuple[Formula, ...] | None:
+    """Return the intensities at the ends of a stretch; None where one is wrong, reported."""
+    reader = Reader(scope, DESCRIPTION)
+    written = [e for e in (statement.intensity, statement.end) if e is not None]
+    read = [reader.wanted(e, STIFFNESS, "an intensity") for e in written]
+    _check_senses(statement, read, scope)
+    found = tuple(
+        scope.named("q", statement.name.text, formula, STIFFNESS, e.span)
+        for e, formula in zip(written, read, strict=True)
+        if formula is not None
+    )
+    return found if len(found) == len(written) else None
 
 
 def _check_senses(

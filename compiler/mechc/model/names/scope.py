@@ -273,21 +273,12 @@ class NameScope:
             self._unknown(symbol, usage)
             return None
         self.used.add(symbol.name)
-        has_loads = entry.on_loads and not usage.with_loads
-        has_results = entry.on_results and not usage.with_results
-        if entry.kind not in usage.kinds or has_loads or has_results:
-            kind = "a formula of loads or results" if entry.on_loads else f"a {entry.kind}"
+        if kind := _misplaced(entry, usage):
             is_found = entry.kind in ("load", "result") or entry.on_results
             hint = messages.FORCES_CHECKED if usage is CONDITION and is_found else ""
             hint = hint or messages.asked_for_a_value(entry.kind, symbol.name)
             self.report.add(
                 messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted, hint)
-            )
-            return None
-        if entry.on_pose and usage.in_description:
-            kind = "a formula of directions and lengths that follow from the description"
-            self.report.add(
-                messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted)
             )
             return None
         if entry.kind == "let" and usage.in_description:
@@ -310,6 +301,17 @@ class NameScope:
     def names(self, kinds: Iterable[NameKind]) -> list[str]:
         """Return the names of some kinds, in order of declaration."""
         return [name for name, entry in self.entries.items() if entry.kind in kinds]
+
+
+def _misplaced(entry: ScopeEntry, usage: Usage) -> str:
+    """Return in words what stands in a formula and may not, '' where it may."""
+    has_loads = entry.on_loads and not usage.with_loads
+    has_results = entry.on_results and not usage.with_results
+    if entry.kind not in usage.kinds or has_loads or has_results:
+        return "a formula of loads or results" if entry.on_loads else f"a {entry.kind}"
+    if entry.on_pose and usage.in_description:
+        return "a formula of directions and lengths that follow from the description"
+    return ""
 
 
 def _with_capitals(name: str) -> str:
