@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 
 import mechc
@@ -252,3 +253,28 @@ def test_an_efficiency_is_no_more_than_one_beside_a_dead_centre(geared):
     ((name, found),) = geared.stroke(3).efficiency_ranges
     assert name == "eta_k"
     assert found.greatest == pytest.approx(0.97087, abs=1e-5)
+
+
+def test_a_result_turns_on_both_sides_of_a_kink_within_one_cell():
+    """The slot turns back at 112.51 degrees, where k_hold is greatest, and is least beside it."""
+    lever = mechc.loads("""
+param phi = 2.6007616399321822 rad
+pivot O at (0 m, 0 m)
+link OA
+OA = 0.05 m @ phi
+slot T in OA
+pivot G at (0.13133484372809268 m, 0.06253306864766871 m)
+slider T along 3.5344188125636355 rad through G
+torque M on OA
+force F at T along 0.12676779784318537 rad
+find k = M/F
+drive phi from 1.1007616399321822 rad to 4.100761639932182 rad
+friction pins 0.003 diameter 6 mm coulomb
+friction contact T 0.0038
+""")
+    least, most, again = of(lever.stroke(3), "k_hold")
+    assert [e.kind for e in (least, most, again)] == ["minimum", "maximum", "minimum"]
+    assert most.drive == pytest.approx(3.5344188125636355 - math.pi / 2, abs=1e-8)
+    values = lever.evaluate(phi=np.linspace(least.drive - 2e-3, most.drive, 41))["k_hold"]
+    assert least.value == pytest.approx(values.min(), abs=1e-9)
+    assert again.value < most.value - 1e-8

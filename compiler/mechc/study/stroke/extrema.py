@@ -78,10 +78,18 @@ def _on_stretch(
 
 
 def _with(grid: Sequence[float], turns: Sequence[float]) -> list[float]:
-    """Return a grid with what lies between its values, and is none of them but for rounding."""
+    """Return a grid with what lies between its values, and is none of them but for rounding.
+
+    A result may turn on either side of such a kink, so that the middles next to it belong there.
+
+    >>> _with([0.0, 1.0, 2.0], [1.5, 2.0])
+    [0.0, 1.0, 1.25, 1.5, 1.75, 2.0]
+    """
     near = SAME_VALUE * (grid[-1] - grid[0])
-    new = (x for x in turns if grid[0] < x < grid[-1] and all(abs(x - g) > near for g in grid))
-    return sorted({*grid, *new})
+    new = [x for x in turns if grid[0] < x < grid[-1] and all(abs(x - g) > near for g in grid)]
+    whole = sorted({*grid, *new})
+    middles = ((a + b) / 2 for a, b in pairwise(whole) if a in new or b in new)
+    return sorted({*whole, *middles})
 
 
 def _shared(run: StrokeRun, result: Analysis) -> set[str]:
