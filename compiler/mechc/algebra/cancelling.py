@@ -171,6 +171,7 @@ def is_fine(name: object) -> bool:
 
 
 def _rewritten(product: Product, rule: Callable[[Angle], Angle]) -> Product:
+    """Return a product in which a rule has changed every angle, those in its sums too."""
     result = Product(product.coefficient)
     for factor, e in product.factors.items():
         match factor:

@@ -194,6 +194,7 @@ def _interpolation(parts: int) -> list[list[int]]:
 
 
 def _inverse(matrix: list[list[int]]) -> list[list[int]]:
+    """Return the inverse of a regular matrix of residues, by elimination."""
     size = len(matrix)
     rows = [[*row, *(int(i == j) for j in range(size))] for i, row in enumerate(matrix)]
     for column in range(size):

@@ -33,6 +33,7 @@ def derivative(product: Product, name: str) -> Product:
 
 
 def _of_factor(factor: Factor, name: str) -> Product:
+    """Return the derivative of one factor by a name."""
     match factor:
         case Length():
             return Product(int(factor.name == name))

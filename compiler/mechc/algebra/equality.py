@@ -139,6 +139,7 @@ class _FieldPoint:
                 assert_never(formula)
 
     def _trigonometric(self, function: str, angle: Angle) -> int:
+        """Return the residue of a function of an angle, by those of its sine and cosine."""
         point = self._point
         sin, cos = point.trig("sin", angle), point.trig("cos", angle)
         match function:

@@ -46,6 +46,7 @@ def to_angle(formula: Formula) -> Angle | None:
 
 
 def _linear(formula: Formula) -> Angle | None:
+    """Return a formula as an angle; None where it is no sum of names with rational factors."""
     match formula:
         case Number(value):
             return Angle(((RADIAN, rational(value)),)) if value else Angle()
@@ -74,6 +75,7 @@ def _sum_of_angles(terms: tuple[Formula, ...]) -> Angle | None:
 
 
 def _scaled_angle(factors: tuple[Formula, ...]) -> Angle | None:
+    """Return a product as an angle times a number; None where two of its factors vary."""
     scale, angle = Fraction(1), None
     for factor in factors:
         if isinstance(factor, Number):

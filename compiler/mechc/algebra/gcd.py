@@ -50,6 +50,10 @@ def common(f: Poly, g: Poly) -> Poly:
 
 
 def _by_remainders(f: Poly, g: Poly, reach: list[int]) -> Poly:
+    """Return the greatest common divisor of two polynomials by a sequence of remainders.
+
+    ``reach`` is its degree in each variable.
+    """
     if degrees(stripped(g)) == reach:
         return stripped(g)
     x = min((i for i, d in enumerate(reach) if d), key=lambda i: max(degrees(f)[i], degrees(g)[i]))

@@ -82,6 +82,7 @@ def factor_bounds(factor: Factor, box: IntervalBox) -> NumberInterval:
 
 
 def angle_bounds(angle: Angle, box: IntervalBox) -> NumberInterval:
+    """Return an interval that holds every value of an angle in a box."""
     constant = math.radians(angle.degrees)
     result = widened(constant, constant)
     for name, c in angle.terms:
@@ -152,6 +153,7 @@ def _times(a: NumberInterval, b: NumberInterval) -> NumberInterval:
 
 
 def _raised(a: NumberInterval, exponent: int) -> NumberInterval:
+    """Return an interval that holds the powers of all numbers in one."""
     if exponent < 0:
         if a.low <= 0 <= a.high:
             return NumberInterval(-math.inf, math.inf)

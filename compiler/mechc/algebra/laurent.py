@@ -95,6 +95,7 @@ class Ring(Exponents):
         return _primitive(scale, self.unique(total))
 
     def _expanded(self, product: Product) -> Polynomial:
+        """Return a product as a polynomial, its sines and cosines multiplied out."""
         scale: Rational = product.coefficient
         terms: Terms = {0: (1, 0)}
         for factor, exponent in product.factors.items():

@@ -57,6 +57,8 @@ def _orders(matrix: ProductMatrix) -> Iterator[tuple[ProductMatrix, int]]:
 
 
 def _expanded(matrix: ProductMatrix, added: Callable[[Iterable[Product]], Product]) -> Product:
+    """Return a determinant by its minors, each of which is found once."""
+
     @cache
     def minor(row: int, columns: tuple[int, ...]) -> Product:
         if not columns:
@@ -98,6 +100,7 @@ class Echelon:
         return True
 
     def _reduced(self, row: Residues) -> Residues:
+        """Return a row without the pivots of the rows so far."""
         rest = dict(row)
         while pivots := [u for u in rest if u in self._rows]:
             pivot = min(pivots)

@@ -98,6 +98,7 @@ def joined(product: Product) -> Product:
 
 
 def _join_one(product: Product) -> Product | None:
+    """Return a product with the first sin x·cos x in it as sin(2x)/2; None without one."""
     for trig, s in product.factors.items():
         if isinstance(trig, Trig) and trig.function == "sin" and trig.angle.terms:
             twin = Trig("cos", trig.angle)

@@ -218,6 +218,7 @@ class _SymbolValue:
         return result
 
     def _factor(self, factor: Factor) -> Series:
+        """Return the series of one factor."""
         match factor:
             case Trig(function, angle):
                 return self._trig(function == "cos", angle)

@@ -50,6 +50,7 @@ class Product:
         return Product(1, {factor: exponent})
 
     def __mul__(self, other: "Product") -> "Product":
+        """Return the product of both, equal factors joined."""
         if not other.factors:
             return self.scaled(other.coefficient)
         if not self.factors:

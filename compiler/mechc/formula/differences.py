@@ -99,6 +99,7 @@ def _length(formula: Formula) -> int:
 
 
 def _positive(formula: Formula, values: LazyValues) -> Formula:
+    """Return a formula whose differences and divisors are the positive way round."""
     differences = [found for node in walk(formula) if (found := _difference(node))]
     divisors = [found for node in walk(formula) if (found := divisor(node))]
     if not differences and not divisors:
@@ -231,6 +232,7 @@ def factors_as_in(formula: Formula, *models: Formula) -> Formula:
 def _difference_turned_as(
     formula: Formula, known: Mapping[frozenset[Formula], Sum]
 ) -> Formula | None:
+    """Return a call of a difference the other way round, where that alone is ``known``."""
     match formula:
         case Call(function, (Sum(terms),)) if function in FUNCTIONS_OF_ANGLES:
             other = known.get(frozenset(map(negative, terms)))
@@ -240,6 +242,7 @@ def _difference_turned_as(
 
 
 def _sines_turned(formula: Formula, at: SharedEvaluation) -> Formula:
+    """Return a formula in which sines of negative differences are those of the opposite."""
     parts = tuple(_sines_turned(part, at) for part in children(formula))
     whole = rebuild(formula, parts) if parts != children(formula) else formula
     match whole:

@@ -70,6 +70,7 @@ class SharedEvaluation:
             spend(1 + len(self._known) - before)
 
     def _of(self, formula: Formula) -> float:
+        """Return the value of a formula, found once for each part."""
         match formula:
             case Constant(_, value):
                 return self._of(value)
@@ -172,6 +173,7 @@ class _Ended(NamedTuple):
 
 @lru_cache(maxsize=SYSTEMS)
 def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
+    """Return the function that follows a system from its anchor, and counts the work each time."""
     with at_most(Allowance()) as allowance:
         way = way_of(system)
     ahead = MOST_WORK - allowance.left

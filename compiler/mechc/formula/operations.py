@@ -50,6 +50,7 @@ def _of_a_number(formula: Number | Pi | Symbol) -> int:
 
 
 def _counted(formula: Sum | Product | Power | Call | Implicit) -> int:
+    """Return the operations of a formula that is made of others."""
     match formula:
         case Sum(terms):
             return sum(map(_term_operations, terms)) + len(terms) - 1

@@ -205,6 +205,7 @@ def _sum(columns: Sequence[RoundedColumn]) -> Pairs:
 
 
 def _product(columns: Sequence[RoundedColumn]) -> Pairs:
+    """Return the products of the rows of columns, and what rounding makes of them."""
     values, errors = columns[0]
     errors = [e + EPS * abs(v) for v, e in zip(values, errors, strict=True)]
     for column in columns[1:]:

@@ -141,6 +141,7 @@ class _TrigonometricTerm(NamedTuple):
 
 
 def _of_sum(terms: Sequence[Formula], name: str) -> Iterator[AngleSolution]:
+    """Yield the angles at which a sum is zero, of one or two terms that have the name."""
     flat = [part for term in terms for part in _expanded(term, name)]
     constant = total(t for t in flat if name not in symbols(t))
     parts = _gathered([_part(t, name) for t in flat if name in symbols(t)])
@@ -198,6 +199,7 @@ def _left(coefficients: Iterable[Formula]) -> list[Formula]:
 
 
 def _part(term: Formula, name: str) -> _TrigonometricTerm | None:
+    """Return a term as a function of an angle, times what is without the name; else None."""
     factors = term.factors if isinstance(term, Product) else (term,)
     inside = [f for f in factors if name in symbols(f)]
     rest = product(Counter(f for f in factors if name not in symbols(f)).items())

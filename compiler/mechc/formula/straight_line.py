@@ -176,6 +176,7 @@ class _ProgramMaker:
         return list(self._constants), list(self._made.values())
 
     def _value(self, formula: Formula) -> _Value:
+        """Return a formula as a value of the straight line; what it is made of comes before it."""
         match formula:
             case Constant(_, number):
                 return self.value(number)

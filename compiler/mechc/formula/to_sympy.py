@@ -33,6 +33,7 @@ def to_sympy(formula: Formula) -> "sympy.Expr":
 
 
 def _convert(formula: Formula, sympy: Any) -> Any:
+    """Return a formula as an expression of SymPy."""
     match formula:
         case Number(value):
             return sympy.Rational(value.numerator, value.denominator)
@@ -89,6 +90,7 @@ def _solution(system: System, index: int) -> Any:
     named = constants(system.equations)
 
     def _eval_evalf(self: Any, precision: int) -> Any:
+        """Return an unknown to so many bits, solved again from its value in floats."""
         outer = [a.evalf(n=15) for a in self.args]
         if not all(a.is_Float or a.is_Integer for a in outer):
             return None

@@ -276,6 +276,7 @@ class Typesetter(Look[Piece]):
         return self.factors(formulas, [self.set(f, around, angle) for f in formulas])
 
     def _power(self, base: Formula, exponent: Formula, around: Surroundings) -> Piece:
+        """Return a power as a fraction, a root, a function raised, or a base with its exponent."""
         match base, exponent:
             case _, Number(value) if value < 0:
                 return self._held(self._fraction((), (power(base, Number(-value)),)), around)
@@ -308,6 +309,7 @@ class Typesetter(Look[Piece]):
         return self.parentheses(piece) if open_call else piece
 
     def _call(self, function: str, arguments: FormulaRow) -> Piece:
+        """Return a function of its arguments, in the form that its books have."""
         match function, arguments:
             case "choose", _:
                 return self.cases(*self._cases(arguments))

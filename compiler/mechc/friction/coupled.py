@@ -181,6 +181,7 @@ def _shares(
     places: Mapping[str, int],
     name: Callable[[str], str],
 ) -> Iterator[FrictionShare]:
+    """Yield what the friction of each pair adds to a component, under a name."""
     for other, part in component.by.items():
         place = places[other]
         amount = part * loaded[place].pair.factor

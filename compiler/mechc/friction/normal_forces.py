@@ -153,6 +153,10 @@ def _component(
     names: Mapping[str, str],
     given: GivenForces,
 ) -> Component:
+    """Return a component of a pressing force by a release; friction in it is found on demand.
+
+    Raises :class:`LoadedByAnother` where a load is in it that is neither given nor driving.
+    """
     amounts, known = release.amounts, names.keys() | given.keys()
     for load, amount in amounts.items():
         if amount and load not in known:

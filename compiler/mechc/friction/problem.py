@@ -111,6 +111,7 @@ class FrictionProblem:
         return error is None
 
     def _found(self, find: Find, case: IdealResult) -> LoadedPairs | None:
+        """Return the loaded pairs of a case; None where one cannot be found, which is reported."""
         try:
             loaded = loaded_pairs(self.plan, self.equations, case.driving, self._pairs, case.given)
         except Undetermined as found:

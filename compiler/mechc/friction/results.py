@@ -170,6 +170,7 @@ def _solved(
     named: DefinedFormula,
     driven: bool | None,
 ) -> SolvedWithFriction:
+    """Return a result by its formula, with the steps of the case that is printed."""
     steps = named.case.steps if named.case else named.steps
     found = result_of(problem, find, ideal, loaded, named)
     result = replace(found, driven=driven, is_idle=is_zero(ideal, problem.plan.graph.pose))

@@ -45,6 +45,7 @@ def size_of(value: Product) -> Formula:
 
 
 def _size(factor: Factor) -> Formula:
+    """Return a factor as large as it gets: a sine is 1, all terms of a sum have one sign."""
     match factor:
         case Trig():
             return ONE

@@ -109,6 +109,7 @@ class SequentialSolver:
                 assert_never(kind)
 
     def _lever(self, body: str, unknown: BodyForce, known: Sequence[BodyForce]) -> Product:
+        """Find the unknown force on a lever; return the resistance of its pivot."""
         surface, pivot = surfaces.of_pivot(self._bodies, body), self._bodies.pivot(body)
         lines, bearing = self._lines, None
         if surface:
@@ -169,6 +170,7 @@ class SequentialSolver:
         return not add((first * first, -(second * second)))
 
     def _determine(self, force: BodyForce, size: Product, alike: Product | None = None) -> None:
+        """Note the size of a force, and the signs that it and friction where it acts must keep."""
         rod, size = self._bodies.rod(force.name), canonical(size)
         if force.name != self._driving and any(isinstance(f, Opaque) for f in size.factors):
             size = self._signs.name_value(force.name, size)

@@ -82,6 +82,7 @@ def _relate_translation(
 
 
 def _guide_sliders(draft: Draft) -> None:
+    """Give each guided point its speed along the guide, or relate the velocity that it has."""
     for point, along in draft.guides.items():
         velocity = draft.velocities.get(point)
         if velocity is None:

@@ -103,6 +103,7 @@ def _held_still(graph: Graph, measures: Iterable[SpeedReading], span: Span) -> G
 
 
 def _released(pose: Pose, joint: JointRef, along: Angle) -> Released:
+    """Return the linkage without one component of what a joint transmits."""
     match joint.kind:
         case "pin":
             return _without_pin(pose, joint, along)

@@ -105,6 +105,7 @@ def _coordinate(
 
 
 def _with(mechanism: Mechanism, found: Mapping[str, Formula]) -> Mechanism:
+    """Return a mechanism with formulas in place of names of the pose, wherever it has formulas."""
     lets = tuple(replace(x, value=_put(x.value, found)) for x in mechanism.lets)
     expects = tuple(replace(x, value=_put(x.value, found)) for x in mechanism.expects)
     requires, implied = (

@@ -120,6 +120,7 @@ class ClosingEquations:
     def _refused(
         self, condition: ClosureCondition, direction: Angle, values: Mapping[str, float]
     ) -> Diagnostic:
+        """Return the error at a loop that does not close, cannot move, or ties its symbols."""
         gap = _gap(condition, values) if not self._mentions_open(condition.arms) else 0.0
         if gap:
             brought = sorted(_symbols(condition.arms) & self._brought)

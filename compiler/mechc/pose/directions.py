@@ -92,6 +92,7 @@ class Directions:
                 return self._follow_turn(item)
 
     def _follow_turn(self, turn: Turn) -> bool:
+        """Note the direction that an angle gives from another; return whether either is known."""
         gamma = self._terms.angle(turn.angle, f"turn_{turn.first}{turn.vertex}{turn.second}")
         self._name(turn.vertex, turn.first)
         self._name(turn.vertex, turn.second)

@@ -311,6 +311,7 @@ def _path(
 
 
 def _shortest(start: str, goal: str, ways: EdgesByName) -> list[Edge]:
+    """Return the fewest edges that lead from one point to another."""
     came: dict[str, Edge | None] = {start: None}
     queue = deque([start])
     while queue and goal not in came:

@@ -159,6 +159,7 @@ class Vectors:
         return points[::-1]
 
     def _enter(self, item: Geometry) -> None:
+        """Enter what one line of the geometry gives between its points."""
         match item:
             case Offset(tail, head, x, y, span):
                 arms = (
@@ -175,6 +176,7 @@ class Vectors:
                 self._enter_polar(vertex, second, span)
 
     def _enter_polar(self, tail: str, head: str, span: Span) -> None:
+        """Join two points by a length and a direction that is known; not if they are joined."""
         if frozenset((tail, head)) in self._cartesian or head in self._edges.get(tail, ()):
             return
         angle = self._directions.of(tail, head)
@@ -272,6 +274,7 @@ class Missing:
         return True
 
     def _follows(self, tail: str, head: str) -> bool:
+        """Return whether vectors that are asked for and those given join two points."""
         reached, waiting = {tail}, [tail]
         both_ways = [*self._asked, *((b, a) for a, b in self._asked)]
         while waiting:

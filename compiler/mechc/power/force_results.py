@@ -33,6 +33,7 @@ def joint_force(problem: PowerProblem, find: Find, asked: ForceAtJoint) -> Algeb
 
 
 def _result(problem: PowerProblem, find: Find, asked: ForceAtJoint, found: ForceFormula) -> Result:
+    """Return a force at a joint as a result, with all that its formula rests on."""
     formula = problem.with_positive_sines(found.formula)
     where = [d for p in found.plans for d in resting_on(p, formula, found.values)]
     problem.check_lengths(find, [formula, *(d.formula for d in where)])

@@ -79,6 +79,7 @@ def _ratio(
     value: Product,
     shown: Product | None = None,
 ) -> AlgebraicResult:
+    """Return a ratio of loads as a result; ``shown`` is its value as it is printed."""
     above, below = problem.dimension(asked.above), problem.dimension(asked.below)
     shown = value if shown is None else shown
     result = problem.result(find, shown.formula(), above.over(below), [shown])

@@ -89,6 +89,7 @@ class DefaultNumbers:
         return of_sound_form(result, self._printed_form)
 
     def _printed_form(self, result: Result) -> PrintedForm:
+        """Return the form of a result that stands at the default pose, with its number."""
         is_shared = not result.guards and self._chained.takes(result.where)
         values = self._chained.values if is_shared else self.values
         rounding = self._chained.rounding if is_shared else self._rounding
@@ -219,6 +220,7 @@ def _is_zero_at(
     given: Mapping[str, float],
     ratio: float,
 ) -> bool:
+    """Return whether a formula is zero at sizes changed each by another power of a ratio."""
     changed = {n: size * ratio ** (1 + i / 7) for i, (n, size) in enumerate(given.items())}
     rounding = Rounding(changed)
     rounding.define(where)
@@ -314,6 +316,7 @@ def _remark(
     arrows: "Arrows",
     report: Report,
 ) -> None:
+    """Warn of a result that is infinite, zero or negative at the default pose."""
     factor = _vanishing(item.value, values, -1) if item.value else None
     if factor is not None or not math.isfinite(number):
         report.add(messages.pole_at_default(find.span, find.name, text(factor) if factor else ""))

@@ -92,6 +92,7 @@ class Reactions:
         return self._known[joint]
 
     def _find(self, joint: JointRef) -> Transmitted | None:
+        """Return the force that a joint transmits, by a release for each component; else None."""
         releases: list[Release] = []
         for direction in directions(self._pose, joint):
             loose = released_linkage(self._pose, joint, direction, self._held, self._taken)

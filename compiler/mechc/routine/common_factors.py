@@ -60,6 +60,7 @@ class _Fraction(NamedTuple):
 
 
 def _divided_once(table: EntryTable, roots: Sequence[int]) -> tuple[EntryTable, tuple[int, ...]]:
+    """Return a table that divides by each common divisor once, and the places of its roots."""
     common = _common_divisors(table, roots)
     made, place = EntryTable(table.split), dict[int, int]()
     for index, entry in enumerate(table.entries):
@@ -150,6 +151,7 @@ def _moved(entry: TableEntry, place: Mapping[int, int]) -> TableEntry:
 
 
 def _multiplied_once(table: EntryTable, roots: Sequence[int]) -> tuple[EntryTable, tuple[int, ...]]:
+    """Return a table in which products share factors, each multiplied once, and its roots."""
     needed = table.reached(roots)
     ratios = {i: e for i, e in enumerate(table.entries) if i in needed and isinstance(e, Ratio)}
     products = _Products((s for ratio in ratios.values() for s in ratio), len(table.entries))

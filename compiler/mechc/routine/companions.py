@@ -52,6 +52,7 @@ class Companions:
         return replace(function, status=status) if status else function
 
     def _status(self, function: Function, asked: AskedResult) -> ResultStatus | None:
+        """Return the program that says whether the mechanism moves, for a result with friction."""
         match asked.result.target:
             case WithFriction(LoadRatio() | LoadForm() as of, sense, "exact"):
                 ideal = next(r for r in self._scope.results.values() if r.target == of)

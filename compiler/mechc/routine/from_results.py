@@ -147,6 +147,7 @@ def _unknowns(result: Result) -> frozenset[str]:
 def _pose(
     scope: ProgramScope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
 ) -> PoseProgram | None:
+    """Return the program of what closes loops, as far as results or conditions need it."""
     found = scope.intermediates()
     needed = {name for name, _ in found.formulas}
     unseen = [loop for loop in loops if loop.names.isdisjoint(needed)]

@@ -116,6 +116,7 @@ def squaring(lengths: Collection[str]) -> Once[Formula]:
 
 
 def _in_squares(factors: Iterable[Formula], lengths: Collection[str]) -> Formula:
+    """Return a product in which (a - b)·(a + b) is a difference of squares, b such a length."""
     left, found = [*factors], list[Formula]()
     while left:
         first = left.pop(0)

@@ -52,6 +52,7 @@ def load_coefficient(at: Balanced, load: str, other: str, known: Set[str]) -> An
 
 
 def _respond(at: Balanced, wanted: str, given: str, known: Set[str]) -> Answer:
+    """Return how large a load is for a unit of another one, each by the load that it is tied to."""
     target, source = at.tied[wanted], at.tied[given]
     if target.base == source.base:
         return Answer(target.factor / source.factor, 1.0)

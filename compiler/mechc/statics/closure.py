@@ -118,6 +118,7 @@ class PlacedPoints:
         return 0.0 if along is None else abs(along.turned().dot(found))
 
     def _unit(self, line: Direction) -> Plane | None:
+        """Return the unit vector of a direction; None where it has no value."""
         match line:
             case Absolute(angle):
                 known = _known(self.values, angle)

@@ -210,6 +210,7 @@ def _load(sums: _RowBuilder, actions: tuple[Action, ...]) -> dict[int, float]:
 
 
 def _places(sums: _RowBuilder, actions: tuple[Action, ...]) -> Iterator[tuple[int, float]]:
+    """Yield the rows of the equations in which actions stand, and how large they are there."""
     for action in actions:
         match action:
             case PointForce(point, force):

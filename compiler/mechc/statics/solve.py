@@ -200,6 +200,7 @@ class _Elimination:
         self.pivots.append(PivotElement(i, column, row[column], others))
 
     def _subtract(self, target: int, source: int, row: SparseRow, column: int) -> None:
+        """Subtract a multiple of a row, so that the target has no entry in a column; note it."""
         into = self.left[target]
         multiple = into.pop(column) / row[column]
         for j, v in row.items():

@@ -74,6 +74,7 @@ def direction_of_motion(unfolding: Unfolding, speed: Speed) -> Plane | None:
 
 
 def _probes(unfolding: Unfolding, speed: Speed) -> Probes:
+    """Return the loads that do work with a speed: along it, or along both axes where it is open."""
     if speed.kind == "link":
         couple = unfolding.couple(speed.of, 1.0)
         return Probes((couple,), couple)

@@ -85,6 +85,7 @@ class _LoadSetMaker:
         return Diagram(case.result, motion, case.sizes, case.per, case.left_out, (), trouble)
 
     def _solved(self, motion: ThreadMotion, solve: SolveCase) -> Diagram:
+        """Return the free bodies of a case with the sizes of all forces on them."""
         solution = solve(self.unfolding, self.case)
         if isinstance(solution, str):
             return self._empty(motion, solution)

@@ -120,6 +120,7 @@ def bearings(mechanism: Mechanism) -> frozenset[PinOnLink]:
 
 
 def _bearings_of_half(mechanism: Mechanism) -> Iterator[PinOnLink]:
+    """Yield the pins on links and on the ground that bear what joints of the half pass on."""
     for joint in mechanism.joints:
         match joint:
             case WheelPair():

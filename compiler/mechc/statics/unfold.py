@@ -86,6 +86,7 @@ class Unfolding(PoseInNumbers):
         return (Couple(link, share),) if self.axis is None else ()
 
     def _actions(self, load: Load) -> tuple[Action, ...]:
+        """Return the actions of a load on the free bodies, as many times as it is there."""
         match load:
             case Force(name, point, link=link):
                 line = direction(self.pose.lines[name].evaluate(self.values))

@@ -57,6 +57,7 @@ def with_named_sizes(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
 
 
 def _with_named_size(joint: Joint, sketch: Sketch) -> Joint:
+    """Return a rack or a screw of a drawn point with a name for its radius or pitch."""
     if not isinstance(joint, Feed) or joint.point not in sketch.places:
         return joint
 

@@ -63,6 +63,7 @@ def _as_described(parameter: Parameter) -> Parameter:
 
 
 def _with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
+    """Return the mechanism with what is driven as drawn, and the geometry of the drawing."""
     sketch = Sketch(mechanism, default_pose(mechanism))
     for fault in _faults(mechanism, sketch):
         report.add(fault)

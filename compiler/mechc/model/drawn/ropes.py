@@ -65,6 +65,7 @@ def falls_off_drums(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic
 
 
 def _wrapped_otherwise(friction: RopeFriction, rope: Rope, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield the warning at a wrap whose sense or angle is not that of the drawing."""
     senses = set(_senses(friction, rope, sketch))
     sense = -1 if friction.reach and _is_negative(friction) else 1
     if friction.reach and senses == {-sense}:

@@ -96,6 +96,7 @@ def _called(kind: str, size: Formula, statement: ast.CollarFriction, scope: Name
 def _of_ring(
     statement: ast.CollarFriction, diameters: tuple[ast.Expr, ast.Expr], scope: NameScope
 ) -> Formula | None:
+    """Return the mean radius of a ring by its diameters, under the law of its pressure."""
     outer = positive_length(diameters[0], "the outer diameter of a collar", scope)
     inner = positive_length(diameters[1], "the inner diameter of a collar", scope)
     if outer is None or inner is None:

@@ -170,6 +170,7 @@ def _read(
 def _guide(
     statement: ast.GuideFriction, built: Mechanism, scope: NameScope
 ) -> Iterator[JointFriction]:
+    """Yield the friction of a guide, larger where the slider is tilted."""
     f = coefficient(statement.coefficient, statement.point.text, scope)
     if not _is_guided(statement.point, built, scope) or f is None:
         return
@@ -216,6 +217,7 @@ def _tilt(
 def _roller(
     statement: ast.RollerFriction, built: Mechanism, scope: NameScope
 ) -> Iterator[JointFriction]:
+    """Yield the friction of a roller: that of its axle, as much smaller as the axle is."""
     f = coefficient(statement.coefficient, statement.point.text, scope)
     axle = positive_length(statement.axle, "the diameter of an axle", scope)
     wheel = positive_length(statement.wheel, "the diameter of a roller", scope)
@@ -233,6 +235,7 @@ def _roller(
 
 
 def _face(statement: ast.ContactFriction, scope: NameScope) -> Iterator[JointFriction]:
+    """Yield the friction of a pin in the one slot or contact that it has."""
     f = coefficient(statement.coefficient, statement.point.text, scope)
     if not scope.points.acting(statement.point) or f is None:
         return
@@ -331,6 +334,7 @@ def _transmissions(
 
 
 def _is_guided(point: ast.Name, built: Mechanism, scope: NameScope) -> bool:
+    """Return whether a point is on a guide that something presses; report where it is not."""
     if not scope.points.acting(point):
         return False
     if any(point.text in slide for slide in scope.points.slides):

@@ -129,6 +129,7 @@ def remark_on_pairs(built: Mechanism, scope: NameScope) -> None:
 
 
 def _radius(statement: ast.PinFriction, scope: NameScope) -> Formula | None:
+    """Return the radius of a friction circle; None where an error was reported."""
     of = statement.point.text if statement.point else ""
     f = coefficient(statement.coefficient, of, scope)
     diameter = positive_length(statement.diameter, "the diameter of a pin", scope)

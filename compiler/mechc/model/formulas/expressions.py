@@ -107,6 +107,7 @@ class Reader:
         return MeasuredFormula(formula, sort, node.span)
 
     def _product(self, node: ast.Product) -> MeasuredFormula | None:
+        """Return a product or quotient; None where it is divided by zero, which is reported."""
         signs = [sign for sign, _ in node.factors]
         read = [self.read(factor) for _, factor in node.factors]
         factors = [factor for factor in read if factor]
@@ -121,6 +122,7 @@ class Reader:
         return MeasuredFormula(formula, sort, node.span)
 
     def _power(self, node: ast.Power) -> MeasuredFormula | None:
+        """Return a power; None where its exponent is no number or too large, which is reported."""
         base, exponent = self.read(node.base), self.read(node.exponent)
         if not base or not exponent:
             return None

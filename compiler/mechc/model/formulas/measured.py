@@ -87,6 +87,7 @@ def alike(parts: list[MeasuredFormula], act: str, scope: NameScope) -> Sort | No
 
 
 def _differ(first: MeasuredFormula, part: MeasuredFormula, act: str, scope: NameScope) -> None:
+    """Report two parts of a sum or comparison that do not measure the same."""
     for bare, other in ((part, first), (first, part)):
         if bare.sort.nature is Nature.BARE or _bare(bare, scope):
             fits(bare, other.dimension, "a term", scope)

@@ -50,6 +50,7 @@ def measured_twice(value: ast.Product, found: Dimension) -> ast.Number | None:
 
 
 def _note_divisor(name: str, value: ast.Product, has_unit: bool, scope: NameScope) -> None:
+    """Say of ``F/20 mm`` that the unit belongs to the divisor."""
     *others, last = value.factors
     if any(isinstance(factor, ast.Number) and factor.unit for _, factor in others):
         return

@@ -99,6 +99,7 @@ def read_tolerance(
 
 
 def _tolerance(parameter: Parameter, statement: ast.Param, scope: NameScope) -> Formula | None:
+    """Return the tolerance of a parameter; report one that cannot be, or that is hardly meant."""
     if statement.tolerance is None:
         return None
     if parameter.dependent:

@@ -101,6 +101,7 @@ def _runs(offset: Offset) -> bool:
 
 
 def _turn(statement: ast.Turn, points: tuple[str, ...], scope: NameScope) -> Turn | None:
+    """Return an angle between vectors; None where it is more than a turn, which is reported."""
     angle = Reader(scope, DESCRIPTION).wanted(statement.angle, ANGLE, "the angle")
     if angle is None:
         return None

@@ -138,6 +138,7 @@ def read_arcs(
 def _arc(
     statement: ast.Slot, slides: Iterable[Slide], scope: NameScope
 ) -> tuple[str, ArcSlot] | None:
+    """Return a circular slot with its pin; None where an error was reported."""
     if statement.about is None or statement.radius is None:
         return None
     held = _on_line(statement.point, statement.line, slides, scope)
@@ -174,6 +175,7 @@ def _rack(statement: ast.Rack, slides: Iterable[Slide], scope: NameScope) -> Rac
 
 
 def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: NameScope) -> Screw | None:
+    """Return a screw; None where an error was reported."""
     point = _guided(statement.point, slides, scope)
     link = scope.points.link(statement.link)
     pitch = radius_of(statement.pitch, scope, signed=True, what="a pitch")
@@ -209,6 +211,7 @@ def read_ropes(file: ast.File, scope: NameScope) -> Iterator[Rope]:
 
 
 def _rope(statement: ast.Rope, scope: NameScope) -> Rope | None:
+    """Return a rope; None where an error was reported."""
     names = [statement.start, *(point for point, _ in statement.falls)]
     route = [point[0] for point in map(scope.points.acting, names) if point]
     ways = [_way(tail, head, along, scope) for tail, (head, along) in _falls(statement)]

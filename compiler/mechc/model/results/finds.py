@@ -98,6 +98,7 @@ def _with_friction(
 
 
 def _read(statement: ast.Find, scope: NameScope) -> Iterator[Find]:
+    """Yield the results that one line asks for."""
     target = statement.target
     if isinstance(target, ast.Symbol) and (form := _joint_force(target)):
         yield from _reactions(statement, target, form, scope)
@@ -156,6 +157,7 @@ def read_target(
 
 
 def _single(symbol: ast.Symbol, scope: NameScope) -> AskedTarget | None:
+    """Return a load that is asked for by itself; report a quantity of the pose."""
     form = form_of_pose(symbol.name) if symbol.name not in scope.entries else None
     if form and (form.prefix not in COORDINATES or form.points[0] in scope.points.places):
         is_speed = form.prefix in ("V", "omega")
@@ -168,6 +170,7 @@ def _single(symbol: ast.Symbol, scope: NameScope) -> AskedTarget | None:
 
 
 def _ratio(above: ast.Symbol, below: ast.Symbol, scope: NameScope) -> AskedTarget | None:
+    """Return a ratio of two loads, or of two speeds; report any other."""
     first, second = _part(above, scope), _part(below, scope)
     if first is None or second is None:
         return None
@@ -192,6 +195,7 @@ def _part(symbol: ast.Symbol, scope: NameScope) -> Operand | None:
 
 
 def _load(symbol: ast.Symbol, scope: NameScope, alone: bool = False) -> Operand | None:
+    """Return a load of a target; None where the name is that of something else, reported."""
     entry = scope.entries.get(symbol.name)
     if entry is None and symbol.name in scope.lets:
         scope.report.add(messages.let_asked_for(symbol.span, symbol.name, alone))

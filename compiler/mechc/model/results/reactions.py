@@ -55,6 +55,7 @@ def read_reaction(
 def _force(
     symbol: ast.Symbol, point: str, on: ast.Name | None, scope: NameScope
 ) -> Iterator[Ending]:
+    """Yield components, size and direction of the force at a pin, on a link or of the ground."""
     held = scope.points
     if on is None and point not in held.fixed | held.guided:
         links = [link.name for link in held.carried.get(point, [])]
@@ -83,6 +84,7 @@ def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: NameScop
 
 
 def _axial(symbol: ast.Symbol, name: ast.Name, scope: NameScope) -> ResultTarget | None:
+    """Return the force along a rod or a fall of a rope; None for other bodies, reported."""
     ends = scope.points.split(name) or ()
     rods = [link for link in scope.points.links.values() if {*link.points} == {*ends}]
     pin = next((p for p in ends if p in scope.points.arcs), None)
@@ -182,6 +184,7 @@ def check_guides_of_copies(mechanism: Mechanism, scope: NameScope) -> None:
 
 
 def _normal(symbol: ast.Symbol, point: str, scope: NameScope) -> ResultTarget | None:
+    """Return the force of a guide, slot or contact on a point; report a point without one."""
     if scope.points.touching[point] > 1:
         scope.report.add(messages.several_in_contact(symbol.span, point))
         return None

@@ -27,6 +27,7 @@ def checked(
 def _checked(
     parts: Sequence[ast.Reported], mechanism: Mechanism, scope: NameScope
 ) -> Iterator[Reported]:
+    """Yield the parts of a report; report names of nothing that it could show."""
     found = {find.name for find in mechanism.finds}  # a load that is asked for is one of them
     entries = scope.entries.items()
     results = [n for n, entry in entries if n in found or entry.kind in ("result", "let")]

@@ -133,6 +133,7 @@ class _Composing:
         return ast.Brought(use.span, prefix, use.used.text, loads, inner, tuple(points)), *found
 
     def _part(self, use: ast.Use, used: Used) -> Sequence[ast.Statement] | None:
+        """Return the statements of a used mechanism as a part; None where an error was reported."""
         parts = [s for part in self._parts.values() for s in part.statements]
         whole, met = (
             WholeMechanism((*self._own, *parts), self._parts),

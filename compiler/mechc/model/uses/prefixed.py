@@ -80,6 +80,7 @@ class _Renaming:
         return replace(literal, name=self._name(literal.name), span=literal.span.moved(self._by))
 
     def _result(self, result: Result) -> Result:
+        """Return a result under its prefix, with all that it holds."""
         changed = replace(
             result,
             name=self._name(result.name),

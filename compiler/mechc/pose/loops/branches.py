@@ -37,6 +37,7 @@ def branches(block: LoopGroup, state: LoopState) -> "list[messages.AssemblyRange
 
 
 def _curve(block: LoopGroup, state: LoopState, drive: str, is_angle: bool) -> SolutionCurve:
+    """Return the curve of a group's solutions along the drive."""
     system = system_of(block, state)
     chain = following(state.mechanism, state.definitions)
     given = {n: v for n, v in state.base.items() if n not in chain.names}

@@ -43,6 +43,7 @@ def _with(shared: Iterable[PoseDefinition], closure: Closure) -> Closure:
 
 
 def _dyad(loop: DyadLoop, sides: DyadSides) -> Dyad | None:
+    """Return the dyad that a loop is, by its turning and reaching parts; None if it is none."""
     match _parts(loop, sides):
         case [first, second], []:
             return _triangle(loop, *_grounded_last(first, second, loop, sides), sides)

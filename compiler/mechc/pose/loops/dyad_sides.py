@@ -110,6 +110,7 @@ class DyadSides:
     def _known_side(
         self, loop: DyadLoop, positive: bool, lead: Callable[[Angle], Angle], reached: str
     ) -> tuple[Product, Angle]:
+        """Return length and direction of the known side of a loop, by the shorter formulas."""
         ends = known_span(loop.cycle, loop.unknown)
         for tail, head, turn in ((*ends, Angle()), (*ends[::-1], HALF_TURN)) if ends else ():
             length, direction = f"len_{tail}{head}", f"phi_{tail}{head}"

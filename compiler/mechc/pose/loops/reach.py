@@ -104,6 +104,7 @@ class _Reach:
         return [PossibleEnd(low), *sorted(inner), PossibleEnd(high)]
 
     def _zeros(self, margin: Product, low: float, high: float) -> Iterator[PossibleEnd]:
+        """Yield where a margin is zero along the drive, in closed form if it has one."""
         known = self._values(low)
         forms = _closed_forms(margin, self._drive, self._moving)
         exact = [(i, c) for i, c in forms if symbols(total([i, c.formula()])) <= known.keys()]

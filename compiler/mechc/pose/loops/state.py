@@ -163,6 +163,7 @@ class LoopState:
                 yield name
 
     def _define_direction(self, name: str, angle: Angle) -> None:
+        """Define a direction under a name, which stands for it wherever it was written out."""
         self.definitions.append(PoseDefinition(name, angle.formula()))
         self.rated.define(name, angle)
         for values in self.values:
