@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
-from . import witness, written
+from . import events, whole_files
 from .data_folders import data
 from .diagnostics import MechcError, near_miss, syntax_limits
 from .diagnostics import files as messages
@@ -36,7 +36,7 @@ def find(name: str) -> Path:
     path = Path(name)
     if path.exists():
         return path
-    witness.report("absent", name)
+    events.report("absent", name)
     if found := _in_library(name):
         return found
     listed = library()
@@ -126,7 +126,7 @@ def read(path: Path) -> Source:
     try:
         with path.open("rb") as file:
             content = file.read(LARGEST_DESCRIPTION + 1)
-        witness.report("read", str(path), content)
+        events.report("read", str(path), content)
         return replace(decode(content, str(path)), folder=path.parent)
     except OSError as error:
         raise MechcError([messages.file_unreadable(str(path), reason(error))]) from None
@@ -136,7 +136,7 @@ def read_stdin(name: str) -> Source:
     """Return the text on standard input under a name; :class:`MechcError` where there is none."""
     if sys.stdin is None:
         raise MechcError([messages.file_unreadable(name, "standard input is closed")])
-    witness.report("read from a stream", name)
+    events.report("read from a stream", name)
     try:
         return decode(sys.stdin.buffer.read(LARGEST_DESCRIPTION + 1), name)
     except OSError as error:
@@ -172,23 +172,23 @@ def make_folder(path: Path) -> None:
 
 
 def write_all(files: Mapping[Path, str | bytes]) -> None:
-    """Write all files or none, as :func:`~.written.write_whole` does.
+    """Write all files or none, as :func:`~.whole_files.write_whole` does.
 
     Raises :class:`MechcError` (E904) where one cannot be written.
     """
     contents = {str(path): _encoded(content) for path, content in files.items()}
-    if failure := written.write_whole(contents):
+    if failure := whole_files.write_whole(contents):
         path, error = failure
         folder = os.path.dirname(path)
         lacking = folder if folder and not os.path.exists(folder) else ""
         raise MechcError([messages.file_unwritable(path, reason(error), lacking)])
     for path, content in contents.items():
-        witness.report("wrote", path, content)
+        events.report("wrote", path, content)
 
 
 def resolved(path: Path) -> Path:
     """Return a path with its links followed; ``OSError`` where these form a cycle."""
-    return Path(written.resolved(str(path)))
+    return Path(whole_files.resolved(str(path)))
 
 
 def _encoded(content: str | bytes) -> bytes:

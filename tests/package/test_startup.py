@@ -100,7 +100,7 @@ def test_what_was_answered_before_needs_no_compiler(
     assert "mechc.compilation" in imports(*command)
     again = {name for name in imports(*command) if name.startswith(("mechc", "click", "json"))}
     assert again == {
-        *("mechc", "mechc.version", "mechc.kept", "mechc.later", "mechc.written"),
+        *("mechc", "mechc.version", "mechc.cache_folder", "mechc.later", "mechc.whole_files"),
         *("mechc.cli", "mechc.cli.main", "mechc.cli.find_answers"),
     }
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from .. import witness
+from .. import events
 from ..compilation import Compilation, checked, emit, warnings
 from ..diagnostics import near_miss
 from ..emit import registry
@@ -178,7 +178,7 @@ def _made(
 
 def _emitted(compilation: Compilation, output: OutputPath, options: Options) -> tuple[Emitted, ...]:
     if output.target not in registry.BUILT_IN:
-        witness.report("asked another package", output.target)
+        events.report("asked another package", output.target)
     stem = output.stem(compilation.mechanism.name)
     single = output.path is None
     asked = options._replace(stem=stem, single=single, named=not (single or output.folder))

@@ -15,8 +15,8 @@ import stat
 import sys
 import zlib
 
-from ..kept import folder as folder
-from ..written import write_whole
+from ..cache_folder import folder as folder
+from ..whole_files import write_whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, TypeVar
 
-from .. import witness
+from .. import events
 from ..diagnostics import MechcError
 from ..diagnostics import files as files_messages
 from ..files import SUFFIXES, find, read, read_stdin
@@ -53,7 +53,7 @@ def expanded(names: Iterable[str]) -> Iterator[str]:
         elif not (found := sorted(map(str, _below(Path(name))))):
             raise MechcError([files_messages.no_descriptions(name)])
         else:
-            witness.report("listed", name)
+            events.report("listed", name)
             yield from found
 
 

@@ -5,9 +5,9 @@ import sys
 from collections.abc import Sequence
 from contextlib import suppress
 
+from ..events import listening
 from ..files import reason
 from ..version import VERSION
-from ..witness import listening
 from . import by_click, store_answers, terminal
 from .commands import COMMANDS, found
 from .exit_status import ENVIRONMENT, INTERNAL

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping
 from contextvars import ContextVar
 from typing import Any, Literal, TypeVar
 
-from .. import witness
+from .. import events
 from ..diagnostics import Diagnostic, MechcError, render
 from ..frozen import frozen, replace
 from ..source import Source
@@ -66,7 +66,7 @@ def perform(command: Command, values: Mapping[str, Any], how: Session | None = N
     shown = {name: value for name, value in values.items() if name in NAMES}
     how = replace(how or Session(), **{n: value for n, value in shown.items() if value is not None})
     if command.repeatable:
-        witness.report("repeatable")
+        events.report("repeatable")
     token = _running.set(how)
     try:
         return command.run(**{n: v for n, v in values.items() if n not in NAMES}) or 0

@@ -5,7 +5,7 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from ..written import temporary
+from ..whole_files import temporary
 from .find_answers import SUFFIX, Event, checksum, folder, place
 
 LARGEST_ANSWER = 4 << 20

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, TextIO, TypeVar
 from unicodedata import normalize
 
-from .. import witness
+from .. import events
 
 if TYPE_CHECKING:
     import shutil
@@ -141,14 +141,14 @@ def _say(what: str, stream: TextIO, text: str, color: bool = False) -> None:
 
 def _report(what: str, stream: TextIO, text: str) -> None:
     """Report to those who listen which bytes a text becomes."""
-    if witness.heard():
+    if events.heard():
         lines = text.replace("\n", os.linesep)
-        witness.report(what, "", lines.encode(stream.encoding, stream.errors or "strict"))
+        events.report(what, "", lines.encode(stream.encoding, stream.errors or "strict"))
 
 
 def _give(what: str, stream: TextIO, text: str) -> None:
     content = text.encode("utf-8", "surrogateescape")
-    witness.report(what, "", content)
+    events.report(what, "", content)
     buffer = getattr(stream, "buffer", None)
     if buffer is None:
         stream.write(text)

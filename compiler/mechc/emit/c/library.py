@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ...kept import folder
+from ...cache_folder import folder
 from ...routine.arcs import Array
 from ...routine.evaluate import OnArrays, Value, scalar_or_array
 

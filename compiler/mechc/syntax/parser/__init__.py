@@ -8,5 +8,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ...later import waiting
 
-    SELDOM = {"slips", "unit_words", "usual_slips", "written"}
+    SELDOM = {"slips", "statement_examples", "unit_words", "usual_slips"}
     __getattr__ = waiting(__name__, SELDOM)

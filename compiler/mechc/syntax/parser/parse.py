@@ -6,7 +6,7 @@ from ...diagnostics import Diagnostic, syntax
 from ...source import Span
 from ..fault import Fault
 from ..vocabulary import IN_A_UNIT, ROUTE, points_of
-from . import slips, written
+from . import slips, statement_examples
 from .grammar import Start, keywords, reading, spelling, statement_words, with_names
 from .lalr import END, Refused, Token, span_of
 from .tokens import check
@@ -210,7 +210,7 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
         hint = f"a name has no dot: write {before}_{text[1:].split()[0]}" if is_glued else ""
         return syntax.missing_equals(span, described(token), hint)
     hint = (
-        written.example(line, allowed)
+        statement_examples.example(line, allowed)
         if lacks_name
         else _in_a_value(line, position, allowed, start)
     )

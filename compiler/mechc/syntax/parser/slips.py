@@ -19,6 +19,7 @@ from ..vocabulary import (
 from .grammar import keywords, spelling
 from .lalr import Token, span_of
 from .lines import OPERAND_ENDS
+from .statement_examples import example, whole_example, words_behind
 from .usual_slips import (
     ASKED,
     CHOICES,
@@ -29,7 +30,6 @@ from .usual_slips import (
     SCALARS,
     STATED,
 )
-from .written import example, whole_example, words_behind
 
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
 
