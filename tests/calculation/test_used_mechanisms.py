@@ -601,3 +601,35 @@ def test_a_result_that_is_zero_in_a_mechanism_is_in_a_sheet(tmp_path):
     path.write_text('sheet s\nuse "train.mech" as T (alpha = 90 deg)\n', encoding="utf-8")
     results = {result.name: result.default for result in mechc.load(path)._compilation.results}
     assert results["T_k"] == results["T_k_f"] == 0
+
+
+BALANCED = """
+mechanism lever
+param a = 100 mm
+param b = 100 mm
+pivot O
+link OAB
+OA = a @ 0 deg
+OB = b @ 0 deg
+force P at A along y
+force F at B along -y
+let F = 100 N
+find P
+find R_O
+"""
+
+
+def test_a_direction_without_value_says_why(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Arms of one length: nothing is left for the pivot, and zero points nowhere."""
+    (tmp_path / "lever.mech").write_text(BALANCED)
+    sheet = "sheet s\nparam a = {}\nuse 'lever.mech' as L (a = a)\nlet u = L_R_O_direction\n"
+    paths = {a: tmp_path / f"{a[:3]}.mech" for a in ("100 mm", "101 mm")}
+    for a, path in paths.items():
+        path.write_text(sheet.format(a).replace("'", '"'))
+        assert main(["derive", str(path)]) == 0
+        said = "undetermined, as the force is zero"
+        assert (said in capsys.readouterr().out) is (a == "100 mm")
+    assert main(["check", "--lang", "uk", str(tmp_path / "lever.mech")]) == 0
+    assert "не визначено, бо сила дорівнює нулю" in capsys.readouterr().out

@@ -38,7 +38,13 @@ from ..report.note import NoteLine, own_lines
 from ..report.readable import readable_results
 from ..report.sections import ShownNames, in_short, is_idle_direction
 from ..report.sentences.locking import friction_remarks
-from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
+from ..report.sentences.remarks import (
+    is_direction,
+    kind,
+    own_conditions,
+    reaction,
+    says_what_drives,
+)
 from ..report.text import note, overview
 from ..report.text.signs import WRITTEN, tens
 from ..report.text.speller import TextSpeller, speller
@@ -237,7 +243,9 @@ def _of_result(
     elif len(result.sides) > 1:
         yield f"    {words['default'].format(value=_jump(result.sides, entry.unit, spell))}"
     elif result.undetermined:
-        yield f"    {words['default'].format(value=f'{spell.locale.undetermined} (0/0)')}"
+        no_value = f"{spell.locale.undetermined} (0/0)"
+        said = spell.locale.no_direction if is_direction(result) else no_value
+        yield f"    {words['default'].format(value=said)}"
     yield from _of_conditions(result, before, spell)
     if result.independent:
         yield f"    {words['independent'].format(names=', '.join(result.independent))}"

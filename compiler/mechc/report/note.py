@@ -10,7 +10,7 @@ from typing import Literal
 
 from ..formula.choices import chosen, is_choice
 from ..formula.evaluate import evaluate
-from ..formula.tree import Constant, Formula, Implicit, Number, Product, Symbol, is_call
+from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, Symbol, is_call
 from ..formula.walk import constants, symbols, walk
 from ..frozen import replace
 from ..model.dependence import unused
@@ -51,7 +51,7 @@ class NoteLine(NamedTuple):
     several things that the largest or smallest is taken of, one ``decides``. There are no
     ``numbers`` where nothing is put in, and no ``value`` where a parameter has none. A line that
     ``is_taken`` is of a mechanism that the sheet uses: a ``result`` of that, or a name on the way
-    to one.
+    to one. The direction of a force that is zero ``has_no_direction``.
     """
 
     name: str
@@ -68,6 +68,7 @@ class NoteLine(NamedTuple):
     result: Analysis | None = None
     between: Formula | None = None
     source: str = ""
+    has_no_direction: bool = False
 
     @property
     def is_number(self) -> bool:
@@ -170,8 +171,19 @@ def _lines(
         yield from (_with_numbers(line, near) for line in mentioned)
         said = known.label if result.target or result.label else ""
         line = _plain(known.name, said, formula, given.get(known.name), known.dimension)
-        yield _with_numbers(line, near)._replace(result=result)
+        idle = formula is not None and _is_of_zero(formula, values_of(near))
+        yield _with_numbers(line, near)._replace(result=result, has_no_direction=idle)
     yield from (_line(let, given, tables) for let in mechanism.lets[done:])
+
+
+def _is_of_zero(formula: Formula, values: Mapping[str, float]) -> bool:
+    """Return whether a formula is the direction of a vector whose components are zero."""
+    return (
+        isinstance(formula, Call)
+        and formula.function == "atan2"
+        and symbols(formula) <= values.keys()
+        and not any(evaluate(part, values) for part in formula.arguments)
+    )
 
 
 def _is_iterated(result: Result) -> bool:
@@ -313,7 +325,8 @@ def _deciding(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula |
 def label(line: NoteLine, text: str, locale: Locale, spell: Speller) -> str:
     """Return the text of a line; before that of a result of a used mechanism what it is."""
     said = _kind(line.result, locale, spell) if line.result else ""
-    return f"{said[:1].lower()}{said[1:]} {text}".strip()
+    said = f"{said[:1].lower()}{said[1:]} {text}".strip()
+    return f"{said}: {locale.no_direction}" if line.has_no_direction else said
 
 
 def _kind(result: Analysis, locale: Locale, spell: Speller) -> str:

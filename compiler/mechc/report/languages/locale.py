@@ -185,6 +185,7 @@ class Locale(NamedTuple):
     numbers: str
     at_default: str
     undetermined: str
+    no_direction: str
     agrees: str
     agrees_once: str
     disagrees: str

@@ -12,7 +12,7 @@ from ..by_parts import by_parts
 from ..evaluated import Evaluated
 from ..languages.locale import Locale
 from ..sections import is_idle_direction
-from ..sentences.remarks import asked
+from ..sentences.remarks import asked, is_direction
 from .display import LINE_WIDTH, DisplayLine, aligned, broken
 from .notation import LatexNotation, name
 from .printer import Box, box, latex, plain
@@ -93,7 +93,8 @@ def is_own_value(result: Analysis) -> bool:
 def _number(result: Analysis, locale: Locale, style: LatexNotation) -> str:
     symbol = latex(asked(result), style)
     if result.undetermined:
-        return rf"${symbol}$ {locale.undetermined} ($0/0$)"
+        why = locale.no_direction if is_direction(result) else rf"{locale.undetermined} ($0/0$)"
+        return f"${symbol}$ {why}"
     if len(result.sides) > 1 and not any(map(isnan, result.sides)):
         low, high = (measured(s, result.dimension, locale, style) for s in result.sides)
         return f"${symbol}$: {locale.checked['jumps'].format(low=f'${low}$', high=f'${high}$')}"

@@ -195,6 +195,12 @@ def reaction(result: Analysis) -> Reaction | None:
             return None
 
 
+def is_direction(result: Analysis) -> bool:
+    """Return whether a result is the direction of a force, which has none where it is zero."""
+    force = reaction(result)
+    return force is not None and force.part == "direction"
+
+
 def named(name: str) -> Formula:
     """Return the symbol of a result by its name, and a ratio that was given none as the ratio.
 

@@ -459,6 +459,7 @@ LOCALE = Locale(
     numbers="Numerical values",
     at_default="At the values given",
     undetermined="undetermined",
+    no_direction="undetermined, as the force is zero",
     agrees="Check: the equilibrium of the free bodies gives the same result in {count} poses "
     "(largest relative difference {error}).",
     agrees_once="Check: the equilibrium of the free bodies gives the same result in one pose "
