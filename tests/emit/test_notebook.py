@@ -131,7 +131,7 @@ def test_a_mechanism_with_forces_at_joints_shows_itself(friction: str) -> None:
     shown = clamp._repr_latex_()
     assert r"\varphi_{R_O}=\operatorname{atan2}(R_{O,y},R_{O,x})" in shown
     alone = clamp.results["R_O_direction"]._repr_latex_()
-    assert r"\varphi_{R_O}=\operatorname{atan2}\left(F" in alone
+    assert r"\varphi_{R_O}=\operatorname{atan2}\left(-F" in alone
     assert "R_{O,y}" not in alone
     assert len(clamp._repr_markdown_()) == len(shown.replace(r"\[", "$$").replace(r"\]", "$$"))
 

@@ -117,4 +117,5 @@ def test_differences_are_one_way_round_on_a_page() -> None:
     assert isinstance(found, Compilation)
     page = " ".join(render(found.derivation, found.mechanism).split())
     assert "k = T/M = −c/a · sin μ_B / sin(φ − φ_AB)" in page
+    assert "φ − δ_AB − φ_AB) − 2ρ > 0" in page
     assert "φ_AB − φ)" not in page.replace("μ_B + φ_AB − φ)", "")

@@ -10,7 +10,14 @@ from .differences import LazyValues
 from .evaluate import SharedEvaluation
 from .layout import has_minus
 from .positive_divisors import NO_SIGN, with_opposites
-from .rewriting import FUNCTIONS_OF_ANGLES, by_opposite, by_tangent, opposite_angle, rewritten
+from .rewriting import (
+    FUNCTIONS_OF_ANGLES,
+    by_opposite,
+    by_tangent,
+    in_reading_order,
+    opposite_angle,
+    rewritten,
+)
 from .tree import Call, Formula, Product, Sum, negative, total
 from .walk import symbols, walk
 
@@ -21,25 +28,25 @@ Difference = frozenset[Formula]
 def ways_round(
     formulas: Iterable[Formula], values: LazyValues, turns: Set[str] = frozenset()
 ) -> Set[Difference]:
-    """Return the differences of angles in formulas, each the way round in which it is written.
+    """Return those differences of angles that formulas have either way round, in the one to keep.
 
-    What formulas have either way round has a sine that is positive at the values. Angles by which
-    friction ``turns`` a force make no other difference.
+    Its sine is positive at the values. Angles by which friction ``turns`` a force make no other
+    difference.
 
-    >>> from .tree import Symbol
+    >>> from .tree import Symbol, product
     >>> a, b = map(Symbol, "ab")
     >>> one, other = total([a, negative(b)]), total([b, negative(a)])
     >>> ways = ways_round([Call("cos", (one,)), Call("sin", (other,))], lambda: {"a": 1, "b": 2})
     >>> ways == {frozenset({b, negative(a)})}
     True
     """
-    chosen: dict[frozenset[Difference], Difference] = {}
-    for node in (node for formula in formulas for node in walk(formula)):
-        if found := _difference(node, turns):
-            either = frozenset((found, _opposite(found)))
-            if either not in chosen or _is_negative(chosen[either], values):
-                chosen[either] = found
-    return set(chosen.values())
+    nodes = (node for formula in formulas for node in walk(formula))
+    met = dict.fromkeys(found for node in nodes if (found := _difference(node, turns)))
+    kept: set[Difference] = set()
+    for one in met:
+        if _opposite(one) in met and _opposite(one) not in kept:
+            kept.add(_opposite(one) if _is_negative(one, values) else one)
+    return kept
 
 
 def written_round(formula: Formula, ways: Set[Difference], turns: Set[str]) -> Formula:
@@ -66,7 +73,25 @@ def written_round(formula: Formula, ways: Set[Difference], turns: Set[str]) -> F
                 return _signs_before(by_tangent(factors) or whole)
         return None
 
-    return rewritten(formula, turned)
+    written = rewritten(formula, turned) if ways else formula
+    return written if written == formula else _minus_into_sum(written)
+
+
+def _minus_into_sum(formula: Formula) -> Formula:
+    """Return a product without a minus where a sum in it has terms with one and without one.
+
+    >>> from .tree import Symbol, product
+    >>> from .to_text import text
+    >>> a, b = map(Symbol, "ab")
+    >>> text(_minus_into_sum(negative(product([(a, 1), (total([a, negative(b)]), 1)]))))
+    'a*(b - a)'
+    """
+    if not isinstance(formula, Product) or not has_minus(formula):
+        return formula
+    sums = [(i, f) for i, f in enumerate(formula.factors) if isinstance(f, Sum)]
+    mixed = [(i, f) for i, f in sums if len(set(map(has_minus, f.terms))) > 1]
+    turned = {i: total(in_reading_order(map(negative, f.terms))) for i, f in mixed[:1]}
+    return with_opposites(formula.factors, turned) if turned else formula
 
 
 def _signs_before(formula: Formula) -> Formula:

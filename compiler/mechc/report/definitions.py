@@ -8,6 +8,7 @@ from typing import Literal
 from ..formula.choices import is_looked_up
 from ..formula.evaluate import equations
 from ..formula.layout import decimal, has_minus, over_line, short_decimal
+from ..formula.rewriting import in_reading_order
 from ..formula.tree import (
     ZERO,
     Constant,
@@ -245,9 +246,18 @@ _OPPOSITE: Mapping[str, Literal["<", "<=", ">", ">="]] = {
 
 
 def plus_condition(condition: Require) -> Require:
-    """Return a condition turned round where what is compared with zero has a minus before it."""
-    left = condition.left
-    if condition.right != ZERO or not (isinstance(left, Product) and has_minus(left)):
+    """Return a condition turned round where what is compared with zero has a minus before it.
+
+    Of a difference it is said that it is positive, not that another one is negative.
+    """
+    operator = condition.operator
+    match condition.left:
+        case Product() as left if has_minus(left):
+            opposite = negative(left)
+        case Sum(terms) if operator in ("<", "<=") and len(set(map(has_minus, terms))) > 1:
+            opposite = total(in_reading_order(map(negative, terms)))
+        case _:
+            return condition
+    if condition.right != ZERO:
         return condition
-    turned = _OPPOSITE.get(condition.operator, condition.operator)
-    return replace(condition, left=negative(left), operator=turned)
+    return replace(condition, left=opposite, operator=_OPPOSITE.get(operator, operator))
