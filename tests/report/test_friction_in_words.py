@@ -8,7 +8,7 @@ import pytest
 import mechc
 from good_mechanisms import compiled, loaded
 from mechc.cli.check_lines import report
-from mechc.compilation import compile_source
+from mechc.compilation import Compilation, compile_source
 from mechc.files import find, read
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
@@ -779,3 +779,26 @@ def test_a_load_has_one_name_without_friction_and_another_with_it():
     assert "F_f" not in ideal
     assert "F_f is the value of F with friction." in with_friction
     assert not re.search(r"\bF\b", with_friction.partition("with friction.")[2])
+
+
+def test_a_friction_by_itself_depends_on_no_others() -> None:
+    """A rack and one pin: there is one force, and an equation, where two pins make a system."""
+    one = """
+    mechanism rack
+    param r = 20 mm
+    slider A along x
+    pivot O at (0 mm, 0 mm)
+    link OC
+    rack A on O r
+    OC = 80 mm @ 60 deg
+    force P at A along -x
+    force N at C along -90 deg
+    friction pins 0.1 diameter 12 mm
+    find k = N/P
+    """
+    found = compile_source(Source("rack.mech", one))
+    assert isinstance(found, Compilation)
+    page = " ".join(render(found.derivation, found.mechanism).split())
+    assert "depends on a force that it changes itself" in page
+    assert "The force n follows likewise." in page
+    assert "on the others" not in page

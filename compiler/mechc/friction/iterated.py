@@ -231,8 +231,13 @@ def exact(
 
 
 def step_of(loaded: Sequence[LoadedPair]) -> FrictionStep:
-    """Return the step by which coupled equations are solved: of no pairs there are none."""
-    return FrictionStep("iterated" if loaded else "unloaded")
+    """Return the step by which coupled equations are solved: of no pairs there are none.
+
+    Of a single pair, whose friction no other changes, it has the name.
+    """
+    if not loaded:
+        return FrictionStep("unloaded")
+    return FrictionStep("iterated", loaded[0].pair.name if len(loaded) == 1 else "")
 
 
 def exact_case(

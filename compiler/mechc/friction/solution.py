@@ -41,9 +41,10 @@ at the end how a force at a joint follows from what is solved."""
 class FrictionStep:
     """A rod's line of force, a body in balance, or what all frictions add together.
 
-    ``body`` is a link or a point, ``pivot`` the point that a lever turns on. ``sense`` is 1
-    for a rod that is pressed or a lever that turns counter-clockwise, -1 for the opposite.
-    ``equations`` are pairs that are equal, ``defined`` what gets a name by it.
+    ``body`` is a link or a point, or the only pair that is iterated, ``pivot`` the point that a
+    lever turns on. ``sense`` is 1 for a rod that is pressed or a lever that turns
+    counter-clockwise, -1 for the opposite. ``equations`` are pairs that are equal, ``defined``
+    what gets a name by it.
     """
 
     kind: StepKind

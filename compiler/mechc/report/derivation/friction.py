@@ -288,7 +288,8 @@ def _paragraphs(
     new = earlier.enter(step)
     if new is None:
         if step.kind == "iterated":
-            yield Paragraph(SentenceKind.ITERATED_AGAIN, formulas=_ITERATED)
+            again = (SentenceKind.ITERATED_AGAIN, SentenceKind.ITERATED_ALONE_AGAIN)
+            yield Paragraph(again[bool(step.body)], formulas=_ITERATED)
         return
     sides = ([geometry_first(side, earlier.turns) for side in pair] for pair in step.equations)
     equations = [Equation(_ordered(left), right) for left, right in sides]
@@ -341,7 +342,8 @@ def _of_step(
         case "first order" | "straight" | "ropes" | "pressing":
             raise AssertionError("what earlier steps have said counts there")
         case "iterated":
-            yield Paragraph(SentenceKind.ITERATED, formulas=_ITERATED)
+            kinds = (SentenceKind.ITERATED, SentenceKind.ITERATED_ALONE)
+            yield Paragraph(kinds[bool(step.body)], formulas=_ITERATED)
         case "unloaded":
             yield Paragraph(SentenceKind.UNLOADED)
         case "added" | "rod part" | "normal part" | "across" | "balance":

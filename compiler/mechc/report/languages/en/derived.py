@@ -151,6 +151,11 @@ WORDS = {
     "balance": "The force on {link} at {point} balances all other forces on it:",
     "unloaded": "Nothing presses the joints that have friction, so friction changes nothing.",
     "iterated again": "The forces {sizes} follow likewise.",
+    "iterated alone again": "The force {sizes} follows likewise.",
+    "iterated alone": "Here the friction depends on a force that it changes itself. With {sizes} "
+    "this force, {parts} its components without friction and {changes} the changes that friction "
+    "makes in them, {sizes} = {whole}, which Newton’s method solves, starting from the ideal "
+    "force.",
     "iterated": "Here each friction force depends on the others. With {sizes} the forces at the "
     "joints, {parts} their components without friction and {changes} the changes that all "
     "friction makes in them, {sizes} = {whole}, which Newton’s method solves, starting from the "
