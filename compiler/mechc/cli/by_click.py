@@ -113,6 +113,7 @@ def _parameter(one: Argument | Option) -> click.Parameter:
 
 
 def _option(one: Option) -> click.Option:
+    """Return an option as click's."""
     *others, last = one.flags
     flag = f"{last}/{one.against}" if one.against else last
     absent = {} if one.default is None and not one.of_session else {"default": one.default}

@@ -20,6 +20,7 @@ def describe(figure: Figure, words: Words) -> str:
 
 
 def _sentences(figure: Figure, words: Words) -> Iterator[str]:
+    """Yield the sentences that say what a scheme shows."""
     parts = figure.parts
     yield words["scheme_of"].format(name=figure.title or figure.name)
     yield from _listed(words["links"], (_link(p) for p in parts if isinstance(p, Link)))

@@ -187,6 +187,7 @@ def formula(text: str) -> tuple[TextRun, ...]:
 
 
 def _runs(tokens: list[str]) -> Iterator[TextRun]:
+    """Yield the runs of text of a formula: names in italics, powers raised."""
     level = 0
     for before, token in zip(["", *tokens], tokens, strict=False):
         if token == "^":

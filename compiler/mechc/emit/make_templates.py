@@ -111,6 +111,7 @@ def _lines(body: Iterable[nodes.Node], local: Local) -> Iterator[str]:
 
 
 def _statement(node: nodes.Node, local: Local) -> Iterator[str]:
+    """Yield the lines of code that a statement of a template becomes."""
     match node:
         case nodes.Output(nodes=parts):
             yield f"{PARTS} += [{', '.join(_printed(part, local) for part in parts)}]"

@@ -77,6 +77,7 @@ def _lines(mechanism: Mechanism) -> Iterator[tuple[str, Direction]]:
 
 
 def _entry(entry: Geometry, half: Half) -> Iterator[Measure]:
+    """Yield the lengths and angles to be measured of one line of the geometry."""
     match entry:
         case Offset(tail, head, x, y):
             yield from _distance(tail, head, x, half.vector(ALONG_X), half)

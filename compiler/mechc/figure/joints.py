@@ -68,6 +68,7 @@ def loose_vectors(vectors: LinearVectors) -> Iterator[DrawnVector]:
 
 
 def _loose(joint: model.Joint, vectors: LinearVectors) -> Iterator[DrawnVector]:
+    """Yield the vectors by which a joint holds points together that no link joins."""
     match joint:
         case model.WheelPair(first=first, second=second):
             yield DrawnVector(

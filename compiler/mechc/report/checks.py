@@ -53,6 +53,7 @@ def _check(
     lets: Mapping[str, Formula],
     inputs: Container[str],
 ) -> NoteCheck:
+    """Return a condition with the values of its sides, and by what factor it holds."""
     assert require.written
     left, right, label = require.written.left, require.written.right, require.written.label
     values = _sides(require, given)

@@ -118,6 +118,7 @@ def as_written(where: Iterable[Definition], known: NameLetters) -> list[Definiti
 
 
 def _as_written(definition: Definition, known: NameLetters) -> Definition:
+    """Return a definition as a book has it: a choice, a number in its unit, sides by angles."""
     name, formula = definition
     unit = UNITS.get(known.units.get(name, ""))
     if name in known.usual:

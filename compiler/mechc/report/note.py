@@ -268,6 +268,7 @@ def _with_numbers(line: NoteLine, given: Mapping[str, GivenQuantity]) -> NoteLin
 
 
 def _line(let: Let, given: Mapping[str, GivenQuantity], tables: WrittenTables) -> NoteLine:
+    """Return a formula of a sheet with the numbers put in, and its value."""
     assert let.written
     table = tables.get(let.written.of) if let.written.kind == "table" else None
     formula = let.written.formula

@@ -280,6 +280,7 @@ class _SharingWriter:
         self._written[index], self._labels[index] = formula, label
 
     def _formula(self, entry: TableEntry) -> Formula:
+        """Return an entry as a formula in terms of those written before it."""
         match entry:
             case Leaf(formula):
                 return formula

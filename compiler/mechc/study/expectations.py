@@ -136,6 +136,7 @@ def _is_number(expect: Expect) -> bool:
 
 
 def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
+    """Return whether a figure of a book agrees with a result, to its last digit and to rounding."""
     given = {p.name: default_pose(mechanism).get(p.name) for p in mechanism.parameters}
     kept = {n: v for n, v in given.items() if v is not None and n not in dependent(mechanism)}
     pose = complete(mechanism, kept | _at(expect))
@@ -245,6 +246,7 @@ def _draw(mechanism: Mechanism, chance: random.Random) -> Values:
 
 
 def _remark(finding: Finding, mechanism: Mechanism, unit: str) -> Diagnostic | None:
+    """Return the error or warning at an expectation that is not proved; None at one that agrees."""
     span, subject = finding.expect.span, finding.expect.subject
     match finding.outcome:
         case "refuted":

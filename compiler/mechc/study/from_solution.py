@@ -134,6 +134,7 @@ def _scopes(mechanism: Mechanism, result: Analysis, names: list[str]) -> dict[st
 def _scope(
     name: str, ranged: Set[str], fixed: Set[str], result: Analysis, names: list[str]
 ) -> ClaimScope:
+    """Return for which values a trend along a parameter is proved."""
     if name in fixed:
         return "as given"
     rest = {n for n in names if n != name and n not in (result.proportional or {})}

@@ -160,30 +160,31 @@ def _dead_centres(
     """Yield the dead centres between two values; ``depth`` falls with every halving."""
     pole = _pole_of_a_term(moving, a, b)
     if pole is not None and depth:
-        beside = NEAREST * (b - a)
+        step = NEAREST * (b - a)
         yield pole
-        yield from _dead_centres(moving, a, max(a, pole - beside), depth - 1)
-        yield from _dead_centres(moving, min(b, pole + beside), b, depth - 1)
-        return
-    several = list(_of_several_factors(moving, a, b))
-    if several:
+        yield from _dead_centres(moving, a, max(a, pole - step), depth - 1)
+        yield from _dead_centres(moving, min(b, pole + step), b, depth - 1)
+    elif several := list(_of_several_factors(moving, a, b)):
         yield from several
-        return
-    if moving.driven(b) != moving.driven(a):
+    elif moving.driven(b) != moving.driven(a):
         yield dead_centre(moving, a, b)
-        return
+    elif _is_bent(moving, a, b):
+        if depth:
+            middle = (a + b) / 2
+            yield from _dead_centres(moving, a, middle, depth - 1)
+            yield from _dead_centres(moving, middle, b, depth - 1)
+        else:
+            yield from _touched(moving, a, b)
+
+
+def _is_bent(moving: RatioAlong, a: float, b: float) -> bool:
+    """Return whether a ratio without friction may come to zero between two values and go back."""
     middle = (a + b) / 2
     if moving.driven(a) is None and moving.driven(middle) is None:
-        return  # the ratio is zero throughout, but for rounding, or there is no pose
+        return False  # the ratio is zero throughout, but for rounding, or there is no pose
     first, here, final = (moving.without(x) for x in (a, middle, b))
     size = abs(first) + 2 * abs(here) + abs(final)
-    if not abs(first + final - 2 * here) > BENT_CELL * size:
-        return
-    if depth:
-        yield from _dead_centres(moving, a, middle, depth - 1)
-        yield from _dead_centres(moving, middle, b, depth - 1)
-    else:
-        yield from _touched(moving, a, b)
+    return abs(first + final - 2 * here) > BENT_CELL * size
 
 
 def _pole_of_a_term(moving: RatioAlong, a: float, b: float) -> float | None:

@@ -54,6 +54,7 @@ def _context(
     space: TargetNames,
     arguments: Mapping[str, str],
 ) -> GradientContext:
+    """Return the fields of the template of a function with its slopes."""
     single = space.claim(f"{mechanism}_{function.name}_gradient")
     batch, kernel = space.claim(f"{single}_n"), space.claim(f"{single}_quick")
     own = {i.name: arguments[i.name] for i in program.inputs}
@@ -123,6 +124,7 @@ def _remarks(
     outputs: Mapping[str, str],
     number: str,
 ) -> Iterator[str]:
+    """Yield the comment above a function with its slopes."""
     value, *slopes = outputs.values()
     yield f"The {describe.one_line(function.title)} and its slopes by each argument."
     yield ""

@@ -146,6 +146,7 @@ def _for_one(function: Positional, name: str, own: Own, arguments: Mapping[str, 
 
 
 def _for_many(function: Positional, one: str, name: str, own: Own) -> ByStruct:
+    """Return the function of many structures that calls that of one for each."""
     pointer, loop = own.pointer, own.loop
     filled = [f"double *MECHC_RESTRICT {o}" for o in function.outputs]
     call = (

@@ -88,6 +88,7 @@ def _context(
     arguments: Mapping[str, str],
     solvers: Mapping[Solver, str],
 ) -> PoseContext:
+    """Return the fields of the template of a program of the pose."""
     own = {i.name: arguments[i.name] for i in pose.inputs}
     single, batch = forms
     space = TargetNames(RESERVED, {single, batch, *own.values(), *solvers.values()})
@@ -132,6 +133,7 @@ def _remarks(
     meanings: Mapping[str, str],
     number: str,
 ) -> list[str]:
+    """Return the comment above a program of the pose: its arguments, and what it gives."""
     return [
         *(f"  {own[i.name]}: {describe.input_words(i, own[i.name])}" for i in pose.inputs),
         *(f"  {out}: {meanings[name]}" for name, out in outputs.items()),

@@ -51,6 +51,7 @@ def tikzpicture(plot: Plot, words: Mapping[str, str], letters: Letters = LATIN) 
 
 
 def _axis(layout: PanelLayout, bottom: float, letters: Letters) -> Iterator[str]:
+    """Yield the lines of one panel: its axes, what is shaded, its curves."""
     frame = layout.frame
     x, y = heading((layout.plot.x,), layout.across), heading(layout.headed, layout.up)
     yield r"\begin{axis}["

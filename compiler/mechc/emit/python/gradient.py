@@ -41,6 +41,7 @@ def gradient_contexts(
 def _context(
     function: Function, program: PoseProgram, space: TargetNames, arguments: Mapping[str, str]
 ) -> GradientContext:
+    """Return the fields of the template of a function with its slopes."""
     own = {i.name: arguments[i.name] for i in program.inputs}
     inner = TargetNames(RESERVED.besides(["found"]), set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in program.steps for n in names_of(s)), inner))

@@ -70,6 +70,7 @@ def _context(
     arguments: Mapping[str, str],
     solvers: Mapping[Solver, str],
 ) -> PoseContext:
+    """Return the fields of the template of a program of the pose."""
     own = {i.name: arguments[i.name] for i in pose.inputs}
     space = TargetNames(RESERVED.besides(["found", "status"]), set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in pose.steps for n in names_of(s)), space))

@@ -119,6 +119,7 @@ def _stem(options: Options) -> str:
 
 
 def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
+    """Return the fields of the template of a module."""
     routine, space = compiled.routine, TargetNames(RESERVED)
     names, parts = function_names(routine, space), programs(routine)
     inputs = inputs_of(routine)
@@ -225,6 +226,7 @@ def _function(
     solvers: Mapping[Solver, str],
     listed: Sequence[Function],
 ) -> FunctionContext:
+    """Return the fields of the template of a function."""
     own = {i.name: arguments[i.name] for i in function.inputs}
     other = function.otherwise
     space = TargetNames(RESERVED, {*own.values(), *([names[other.name]] if other else [])})

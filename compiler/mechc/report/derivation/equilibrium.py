@@ -220,6 +220,7 @@ def _of_circular_slot(force: JointForce, arc: ArcSlot, mechanism: Mechanism) -> 
 
 
 def _sum(balance: EquilibriumSum, found: tuple[Equation, ...], pose: Pose) -> Paragraph:
+    """Return a sum of forces or moments in words: about a point, along a guide, across a rod."""
     equations = tuple(dict.fromkeys((Equation(_left(balance), ZERO), *found)))
     body = "link" if balance.body in pose.frames else "point"
     names = {"link": (balance.body,), "point": (balance.body,)}

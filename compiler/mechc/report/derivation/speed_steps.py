@@ -1,6 +1,6 @@
 """The steps that lead from the drive to every speed that is needed, under textbooks' names."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 
 from ...algebra.from_formula import to_product
 from ...algebra.product import ONE, Product
@@ -148,17 +148,7 @@ class SpeedSteps:
 
     def _single(self, relation: Relation, unknown: int) -> Iterator[DerivationStep]:
         """Yield the lever steps that a relation needs first, then the relation itself."""
-        local: dict[int, WrittenUnknown] = {}
-        if is_of_wheels(relation, self._graph):
-            yield from self._angular(relation, (unknown,))
-            local = {u: named for u, named in self._turning.items() if u in relation.form}
-        else:
-            for point in relation.points:
-                for u in relation.form:
-                    if named := self._notation.of_point(u, point):
-                        local[u] = named
-                        if u != unknown:
-                            yield from self._lever(u, named)
+        local = yield from self._named_by(relation, unknown)
         self._names[unknown] = local.get(unknown) or self._notation.of_itself(unknown)
         names = {**self._names, **local}
         said, solved = self._written(relation.form, unknown, names)
@@ -174,6 +164,22 @@ class SpeedSteps:
         ends = relation.points if is_projection else ()
         reasons = tuple(r for point in ends for r in self._plane_motion(point, relation))
         yield DerivationStep(rule, subject, (said,), tuple(results), reasons)
+
+    def _named_by(
+        self, relation: Relation, unknown: int
+    ) -> Generator[DerivationStep, None, dict[int, WrittenUnknown]]:
+        """Yield the steps by which the known speeds of a relation get names; return the names."""
+        if is_of_wheels(relation, self._graph):
+            yield from self._angular(relation, (unknown,))
+            return {u: named for u, named in self._turning.items() if u in relation.form}
+        local: dict[int, WrittenUnknown] = {}
+        for point in relation.points:
+            for u in relation.form:
+                if named := self._notation.of_point(u, point):
+                    local[u] = named
+                    if u != unknown:
+                        yield from self._lever(u, named)
+        return local
 
     def _angular(self, relation: Relation, unknowns: Sequence[int]) -> Iterator[DerivationStep]:
         """Yield the angular velocities of wheels and arms that points' speeds are known of."""

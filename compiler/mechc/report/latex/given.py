@@ -83,6 +83,7 @@ def parameter_row(
 
 
 def _value(parameter: Parameter, locale: Locale, style: LatexNotation) -> str:
+    """Return a parameter's value in its unit, with its tolerance; as a formula if it follows."""
     if parameter.value is None:
         return locale.any_value
     if parameter.dependent and not is_constant(parameter):

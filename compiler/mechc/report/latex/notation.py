@@ -271,6 +271,7 @@ def _text(word: str) -> str:
 
 
 def _letter(head: str) -> str:
+    """Return the head of a name: a Greek letter, a letter as it is, else an upright word."""
     match head:
         case "phi":
             return r"\varphi"  # the shape that pictures have

@@ -98,6 +98,7 @@ def _bare(
     locale: Locale,
     spell: Speller,
 ) -> str:
+    """Return the sentence on conditions without a value, under which a result is 0 or infinite."""
     conditions = alternatives([_zero(v.factor, spell) for v in group], locale)
     said = _with_cause(
         template.format(result=symbol, condition=conditions), group[0], locale, spell

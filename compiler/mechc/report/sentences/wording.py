@@ -101,6 +101,7 @@ def _introduced(step: PositionStep, locale: Locale, spell: Speller) -> Iterator[
 
 
 def _of_loop(step: PositionStep, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
+    """Return the sentence on a loop: its points, its turn, and what is found by it."""
     turn = locale.turns["cw" if step.is_clockwise else "ccw"]
     loop, like = (spell("".join(points)) for points in (step.points, step.like))
     side = spell("".join((step.points[0], step.points[-1]))) if step.points else ""

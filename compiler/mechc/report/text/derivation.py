@@ -215,6 +215,7 @@ def _where(
 
 
 def _velocities(derivation: Derivation, spell: TextSpeller) -> Iterator[str]:
+    """Yield the steps to the speeds, each a sentence with its equations."""
     if not derivation.steps:
         return
     several = len(derivation.balances) > 1
@@ -250,6 +251,7 @@ def _last(step: LastStep, spell: TextSpeller) -> Iterator[str]:
 
 
 def _section(section: Section, spell: TextSpeller) -> Iterator[str]:
+    """Yield how results of one section come about, the results, and what they rest on."""
     for paragraph in section.paragraphs:
         yield from spell.wrapped(said(paragraph, spell.locale, spell), "     ")
         yield from _equations(paragraph.equations, spell)
@@ -293,6 +295,7 @@ def _unit(name: str, units: Mapping[str, str], spell: TextSpeller) -> str:
 def _group(
     group: Definition | SolvedSystem, spell: TextSpeller, units: Mapping[str, str]
 ) -> Iterator[str]:
+    """Yield a definition, or the equations of a system with the names that they are solved for."""
     if isinstance(group, Definition):
         left = spell.relation((Symbol(group.name),), (), False)
         angle = is_angle(Symbol(group.name), spell.angles)

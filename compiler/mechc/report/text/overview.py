@@ -47,6 +47,7 @@ def _headed(heading: str, rows: Iterable[tuple[str, str]]) -> Iterator[str]:
 
 
 def _points(mechanism: Mechanism, source: Source, spell: TextSpeller) -> Iterator[tuple[str, str]]:
+    """Yield each point with its place, and what it is: a pivot, guided, on bodies."""
     words = spell.locale.checked
     places = {
         g.head: words["at"].format(place=_written(g, source, spell))

@@ -65,6 +65,7 @@ def _drivable(pose: Pose) -> tuple[list[str], str]:
 
 
 def _stroke(run: StrokeRun, paths: ShownQuantities, points: int, watch: Watch) -> Stroke:
+    """Return the stroke: what is found along the drive, then the rows of its table."""
     along, drive = run.along, run.drive
     filled = named_apart(columns(run, paths))
     found, crossings = stretches_of(run)

@@ -56,6 +56,7 @@ def _rate(vector: Vector, before: Values, after: Values) -> complex:
 
 
 def _demanded(plan: Plan, known: Values) -> PointVelocities:
+    """Return the velocities that relations demand of points, of those that have a value."""
     values = dict(known)
     found: dict[str, complex] = {}
     try:

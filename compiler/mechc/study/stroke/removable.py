@@ -71,6 +71,7 @@ class RemovablePlaces:
         return self._across[x]
 
     def _look(self, x: float) -> Cubic | None:
+        """Return the cubic that a result follows around where it is rounded away; else None."""
         places = [x + u * self._step for u in PLACES]
         values = [*map(self._at, places)]
         lost = SAME_RATIO * max(map(abs, values))
