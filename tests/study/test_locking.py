@@ -210,6 +210,28 @@ def test_without_a_range_the_condition_is_stated_all_the_same():
     assert stretch.within is None
 
 
+def test_beyond_a_range_in_which_it_moves_it_is_looked_at_when_that_is_asked_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """No formula gives where it jams near 90°, so that nothing is said of it."""
+    seen: list[float] = []
+    look = RatioAlong._look
+    monkeypatch.setattr(RatioAlong, "_look", lambda self, x: seen.append(x) or look(self, x))
+    found = results((LIBRARY / "karpenko_fig9_with_friction.mech").read_text())
+    reach = next(r for r in found["k_f"].locking.reaches if r.parameter == "alpha")
+    assert reach.of_interest == ()
+    assert math.radians(39) < max(seen) < math.radians(41)
+    (stretch,) = reach.stretches
+    assert (stretch.state, stretch.within) == ("jammed", None)
+    assert max(seen) > math.radians(89)
+
+
+@pytest.mark.parametrize("low", ["0.1", "1"])
+def test_where_a_formula_gives_the_end_of_a_stretch_beyond_the_range_it_is_of_interest(low):
+    (reach,) = locking(ROD_TOGGLE.format(low=low, more=""), "k_hold").reaches
+    assert reach.of_interest == reach.stretches != ()
+
+
 # ------------------------------------------------------------------------ closed poses
 
 

@@ -6,7 +6,7 @@ Places are in SI and radians.
 from typing import Literal
 
 from ..formula.tree import Formula
-from ..frozen import frozen
+from ..frozen import field, frozen
 from ..named import NamedTuple
 
 DriveState = Literal["free", "locked", "jammed"]
@@ -56,13 +56,21 @@ class LockingInterval(NamedTuple):
 class LockingIntervals:
     """All such intervals of one parameter, the others at their values; its range, if it has one.
 
-    ``unit`` is the one that was written; angles have none.
+    ``unit`` is the one that was written; angles have none. Where something ``moves_in_range``
+    at each of its values, and no formula gives an end of a stretch beyond it, those are looked for
+    when they are read.
     """
 
     parameter: str
     unit: str
     range: Range | None
-    stretches: tuple[LockingInterval, ...]
+    stretches: tuple[LockingInterval, ...] = field(on_demand=True)
+    moves_in_range: bool = False
+
+    @property
+    def of_interest(self) -> tuple[LockingInterval, ...]:
+        """Return the stretches among which are all that lie in the range, or are solved for."""
+        return () if self.moves_in_range else self.stretches
 
 
 @frozen

@@ -11,13 +11,20 @@ from ..formula.positive_divisors import arcs_of_positive_divisors
 from ..formula.solved import AngleSolution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import frozen
+from ..frozen import frozen, on_demand, replace
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
 from .intervals import Bound, DriveState, Locking, LockingInterval, LockingIntervals, Range
 from .ratios import FrictionStudy
-from .sampling import DEAD_CENTRE_CELLS, before_dead_centre, dead_centre, nearest, sampled_values
+from .sampling import (
+    DEAD_CENTRE_CELLS,
+    before_dead_centre,
+    dead_centre,
+    dead_centres,
+    nearest,
+    sampled_values,
+)
 from .states import RatioAlong
 from .tolerances import EXACT, HALF_THE_DIGITS, NEARLY
 from .variables import last, turns, unit_of, varying
@@ -69,8 +76,10 @@ def _reach(
     has_loops = bool(study.solution.plan.graph.pose.definitions)
     least = HALF_THE_DIGITS if has_loops or moving.is_iterated else NEARLY
     stretches = _Intervals(name, moving, printed, range_of(name, mechanism), least)
-    found = tuple(stretches.found(*window))
-    return LockingIntervals(name, unit_of(name, mechanism), stretches.range, found)
+    moves = not stretches.may_be_solved and stretches.moves_in_range(*window)
+    found = on_demand(lambda: tuple(stretches.found(*window)))
+    reach = LockingIntervals(name, unit_of(name, mechanism), stretches.range, found, moves)
+    return reach if moves else replace(reach, stretches=reach.stretches)
 
 
 # ---------------------------------------------------------------------- what is looked at
@@ -122,6 +131,32 @@ class _Intervals:
     printed: Result
     range: Range | None
     least: float
+
+    @property
+    def may_be_solved(self) -> bool:
+        """Return whether a formula may give the end of a stretch that is no dead centre."""
+        return bool(self._solutions(self.printed, (zeros, poles)))
+
+    def moves_in_range(self, low: float, high: float) -> bool:
+        """Return whether it moves at each value in the range, and no dead centre is between.
+
+        That is, between the range and the ends of what is looked at. Most of what is looked at
+        lies there, near dead centres, where no closed form holds and friction is iterated.
+        """
+        if self.range is None or self.range == (low, high):
+            return False
+        near, centres = nearest(high - low), dead_centres(self.moving, low, high)
+        beside = (c + away for c in centres for away in (-near, 0.0, near))
+        between = (x for x in beside if low + 2 * near < x < high - 2 * near)
+        return all(map(self._moves_as_in_range, between)) and all(
+            self.moving.at(x).state == "free" for x in sampled_values(self.moving, *self.range)
+        )
+
+    def _moves_as_in_range(self, x: float) -> bool:
+        """Return whether the load that drives is the same as at the next value in the range."""
+        assert self.range
+        low, high = self.range
+        return self.moving.driven(x) == self.moving.driven(min(max(x, low), high))
 
     def found(self, low: float, high: float) -> Iterator[LockingInterval]:
         """Yield the stretches in their order."""
@@ -213,11 +248,10 @@ class _Intervals:
         self, x: float, result: Result, ways: Sequence[SolveFor], is_dead_centre: bool = False
     ) -> Bound:
         """Return an end with its formula, if it has one of names that do not vary themselves."""
-        if count_operations(result.formula) > MOST_SOLVED_OPERATIONS:
-            return Bound(x, None, is_dead_centre)
-        values = self.moving.sweep.named(result, x)
-        varying = self.moving.sweep.varying(result)
-        for solution in chain(*(solve(result.formula, self.name) for solve in ways)):
+        solutions = self._solutions(result, ways)
+        values = self.moving.sweep.named(result, x) if solutions else {}
+        varying = self.moving.sweep.varying(result) if solutions else set[str]()
+        for solution in solutions:
             exact = solution.at(x, values)
             if exact is not None and symbols(exact).isdisjoint(varying) and _is_short(exact):
                 shown = exact if solution.period else to_product(exact).formula()
@@ -227,6 +261,12 @@ class _Intervals:
                     is_dead_centre,
                 )
         return Bound(x, None, is_dead_centre)
+
+    def _solutions(self, result: Result, ways: Sequence[SolveFor]) -> list[AngleSolution]:
+        """Return the values of the parameter that a formula gives, none where it is long."""
+        if count_operations(result.formula) > MOST_SOLVED_OPERATIONS:
+            return []
+        return [*chain(*(solve(result.formula, self.name) for solve in ways))]
 
 
 def _are_near(grid: Sequence[float], a: float, b: float) -> bool:

@@ -63,8 +63,7 @@ def sampled_values(
 
     None is nearer to a dead centre than what rounding leaves to be solved there.
     """
-    even = spaced(low, high, DEAD_CENTRE_CELLS)
-    centres = _centres(moving, even)
+    even, centres = spaced(low, high, DEAD_CENTRE_CELLS), dead_centres(moving, low, high)
     step = even[1] - low
     ends = (x for x, out in ((low, -step), (high, step)) if _is_end(moving, x, out))
     near = [c + away for c in (*ends, *centres) for away in _near(moving, step)]
@@ -87,15 +86,15 @@ def sampled_values(
     return _with(grid, _extremes(moving, grid))
 
 
-def _centres(moving: RatioAlong, even: Sequence[float]) -> tuple[float, ...]:
-    """Return the dead centres between the ends of a grid, found once for both ways of the motion.
+def dead_centres(moving: RatioAlong, low: float, high: float) -> tuple[float, ...]:
+    """Return the dead centres between two values, found once for both ways of the motion.
 
     To look for them is a fifth of what a range takes.
     """
-    found, ends = moving.ideal_along.centres, (even[0], even[-1])
-    if ends not in found:
-        found[ends] = tuple(_in_cells(_dead_centres, moving, even))
-    return found[ends]
+    found, even = moving.ideal_along.centres, spaced(low, high, DEAD_CENTRE_CELLS)
+    if (low, high) not in found:
+        found[low, high] = tuple(_in_cells(_dead_centres, moving, even))
+    return found[low, high]
 
 
 def _with(grid: Sequence[float], *more: Iterable[float]) -> list[float]:

@@ -53,7 +53,7 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
     ):
         yield locale.why_usual
     reaches = result.locking.reaches if result.locking else ()
-    shown = [s for reach in reaches for s in reach.stretches if _is_shown(s, reach)]
+    shown = [s for reach in reaches for s in reach.of_interest if _is_shown(s, reach)]
     if result.efficiency_ranges or any(part.sampled for part in shown):
         yield locale.sampled
 
@@ -73,14 +73,14 @@ def _locking(result: Analysis, locking: Locking, locale: Locale, spell: Speller)
     if locking.state and locking.state != "free" and not _holds_throughout(locking):
         yield f"{said[locking.state]} {locale.as_given}."
     for reach in locking.reaches:
-        for part in (s for s in reach.stretches if _is_shown(s, reach)):
+        for part in (s for s in reach.of_interest if _is_shown(s, reach)):
             where = locale.where_it_holds.format(condition=_condition(part, reach, spell, locale))
             yield f"{said[part.state]} {where}{_within(part, reach, locale, spell)}."
 
 
 def _holds_throughout(locking: Locking) -> bool:
     """Return whether a whole range has the state of the given pose: then the range is stated."""
-    stretches = ((s, r) for r in locking.reaches if r.range for s in r.stretches)
+    stretches = ((s, r) for r in locking.reaches if r.range for s in r.of_interest)
     return any(s.state == locking.state and s.within == r.range for s, r in stretches)
 
 

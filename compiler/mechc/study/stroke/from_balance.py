@@ -126,7 +126,7 @@ def _driving(result: Analysis) -> str:
 def _stretches(result: Analysis, drive: str) -> Iterator[LockingInterval]:
     """Return the stretches of the drive on which a result is locked or jammed."""
     reaches = result.locking.reaches if result.locking else ()
-    return chain.from_iterable(reach.stretches for reach in reaches if reach.parameter == drive)
+    return chain.from_iterable(reach.of_interest for reach in reaches if reach.parameter == drive)
 
 
 def _left_out(stretch: LockingInterval, low: float, high: float) -> tuple[bool, bool]:
