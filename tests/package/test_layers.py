@@ -11,6 +11,7 @@ from sources import tree_of
 BASE = [
     "later",
     "named",
+    "words",
     "version",
     "cache_folder",
     "whole_files",

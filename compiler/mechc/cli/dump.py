@@ -27,6 +27,7 @@ from ..source import Span
 from ..syntax import ast
 from ..syntax.text import direction
 from ..units import Dimension, si_unit
+from ..words import Word
 
 DUMP_COLUMNS = 100
 """Columns that a value on one line keeps to; a formula is never broken."""
@@ -170,7 +171,9 @@ def nested(value: object) -> Any:
     >>> nested((Interval(number(0), Symbol("a")), 2, {"O": math.inf}))
     [{'kind': 'Interval', 'low': '0', 'high': 'a'}, 2, {'O': 'inf'}]
     """
-    if value is None or (isinstance(value, bool | int | str) and not isinstance(value, Enum)):
+    if value is None or (
+        isinstance(value, bool | int | str) and not isinstance(value, Enum | Word)
+    ):
         return value
     if isinstance(value, float):
         return value if math.isfinite(value) else str(value)
@@ -185,7 +188,7 @@ def nested(value: object) -> Any:
 def leaf(value: object) -> str | None:
     """Return the text of a value that is never taken apart; None for any other."""
     match value:
-        case Enum():
+        case Enum() | Word():
             return str(value.value)
         case str():
             return value if _BARE.fullmatch(value) and value.isprintable() else repr(value)

@@ -7,13 +7,13 @@ says what is wrong, why it matters, and shows how to fix it.
 """
 
 from collections.abc import Callable, Iterable
-from enum import StrEnum
 from functools import wraps
 from typing import TYPE_CHECKING, ParamSpec
 
 from ..frozen import frozen, replace
 from ..named import NamedTuple
 from ..source import Source, Span
+from ..words import Word
 
 if TYPE_CHECKING:
     import difflib
@@ -24,7 +24,7 @@ else:
     difflib, inspect = Later("difflib"), Later("inspect")
 
 
-class Severity(StrEnum):
+class Severity(Word):
     """Whether output is withheld (``error``) or only remarked upon (``warning``)."""
 
     ERROR = "error"

@@ -6,7 +6,6 @@ projections of its velocity on two of them.
 """
 
 from collections.abc import Mapping
-from enum import StrEnum
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
@@ -14,9 +13,10 @@ from ..frozen import frozen
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..source import Span
+from ..words import Word
 
 
-class SpeedKind(StrEnum):
+class SpeedKind(Word):
     """What an unknown speed is."""
 
     SPIN = "spin"
@@ -50,7 +50,7 @@ LinearForm = Mapping[int, Product]
 """A scalar linear form in the unknowns."""
 
 
-class Rule(StrEnum):
+class Rule(Word):
     """Which rule of mechanics a relation is."""
 
     PROJECTION = "projection"

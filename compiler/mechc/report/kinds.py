@@ -1,12 +1,12 @@
 """The kinds of steps and sentences of a derivation; their words belong to each language."""
 
-from enum import StrEnum
 from typing import Literal
 
 from ..pose.pose import LoopKind
+from ..words import Word
 
 
-class StepRule(StrEnum):
+class StepRule(Word):
     """The rule of mechanics that gives a relation."""
 
     HELD = "held"
@@ -92,7 +92,7 @@ a triangle ``congruent`` to an earlier one, that a vector is the ``sum`` of othe
 ``cylinder`` where an actuator works in it."""
 
 
-class SentenceKind(StrEnum):
+class SentenceKind(Word):
     """The kind of a sentence; the words belong to each language."""
 
     RELEASED = "released"
