@@ -13,11 +13,11 @@ from ..formula import continuation, rounded_columns
 from ..formula.evaluate import status
 from ..formula.rounding import EPS, Rounded, Rounding
 from ..formula.straight_line import SystemSolver, in_order
-from ..formula.tree import Formula, Implicit, System
+from ..formula.tree import Definitions, Formula, Implicit, System
 from ..kinematics.plan import Plan
 from ..model.result import Result
 from ..model.values import Chain, Completion, Values, defaults, following, user_defined
-from .forms import SOON, FormulaCode, form, holding, together
+from .forms import SOON, FormulaCode, FormulaCodes, form, holding, together
 
 if TYPE_CHECKING:
     from ..formula.roots import RealFunction
@@ -58,6 +58,9 @@ class PoseCode:
         self._forms: dict[
             tuple[int, int, Set[str]], tuple[Formula, Result | None, FormulaCode]
         ] = {}
+        self._together: dict[
+            tuple[tuple[int, ...], int, Set[str]], tuple[object, object, FormulaCodes]
+        ] = {}
         self._chains: dict[int, tuple[Result, Chain]] = {}
 
     @cached_property
@@ -72,6 +75,16 @@ class PoseCode:
         if key not in self._forms:
             self._forms[key] = formula, where, form(formula, where, names)
         return self._forms[key][2]
+
+    def together(
+        self, formulas: Sequence[Formula], definitions: Definitions, names: Set[str]
+    ) -> FormulaCodes:
+        """Return formulas with definitions as one code, in names that have values."""
+        key = tuple(map(id, formulas)), id(definitions), names
+        if key not in self._together:
+            code = together(formulas, names, definitions)
+            self._together[key] = formulas, definitions, code
+        return self._together[key][2]
 
     def whole(self, result: Result, names: frozenset[str]) -> tuple[Completion, FormulaCode]:
         """Return the definitions of a result in names that have values, and its value in both."""

@@ -11,7 +11,6 @@ from ..formula.walk import symbols
 from ..friction import at_rest
 from ..model.result import Result
 from ..model.values import PrintedForm, Values, of_sound_form, valid_form
-from .forms import together
 from .pose_sweep import Functions, PoseCode, PoseSweep, keeping
 from .tolerances import SAME_SIDES, SIDE
 
@@ -73,7 +72,7 @@ class Sweep(PoseSweep):
 
     def together(self, formulas: Sequence[Formula], definitions: Definitions) -> Functions:
         """Return formulas as one function of the parameter, those that have a value along it."""
-        return keeping(together(formulas, self.names, definitions), self.values)
+        return keeping(self.code.together(formulas, definitions, self.names), self.values)
 
     def _on_sides(self, value: "RealFunction", senses: Functions, x: float) -> float:
         """Return a value, the limit of it where a slip is 0 for once."""
