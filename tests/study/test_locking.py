@@ -14,6 +14,7 @@ from mechc.api import SolvedMechanism
 from mechc.cli.main import main
 from mechc.compilation import Compilation
 from mechc.formula.to_text import text
+from mechc.friction import results as friction_results
 from mechc.report.languages.en import LOCALE
 from mechc.source import Source
 from mechc.study.analysis import Analysis
@@ -224,6 +225,20 @@ def test_beyond_a_range_in_which_it_moves_it_is_looked_at_when_that_is_asked_for
     (stretch,) = reach.stretches
     assert (stretch.state, stretch.within) == ("jammed", None)
     assert max(seen) > math.radians(89)
+
+
+def test_the_form_for_elsewhere_is_made_where_the_closed_form_has_no_value(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    made: list[object] = []
+    make = friction_results._elsewhere
+    monkeypatch.setattr(
+        friction_results, "_elsewhere", lambda *given: made.append(given) or make(*given)
+    )
+    found = results((LIBRARY / "karpenko_fig9_with_friction.mech").read_text())
+    assert not made
+    assert all(reach.stretches for reach in found["k_f"].locking.reaches)
+    assert made
 
 
 @pytest.mark.parametrize("low", ["0.1", "1"])

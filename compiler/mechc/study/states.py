@@ -148,9 +148,9 @@ class FrictionRatios:
         return (AgainstFriction if self.real.is_idle else RatioAlong)(ideal, self)
 
     @cached_property
-    def forms(self) -> tuple[Result, Result | None]:
-        """Return the ratio with friction, and that for where it has no value, each on its own."""
-        return replace(self.real, elsewhere=None), self.real.elsewhere
+    def own_form(self) -> Result:
+        """Return the ratio with friction without the form for where it has no value."""
+        return replace(self.real, elsewhere=None)
 
     @cached_property
     def is_iterated(self) -> bool:
@@ -249,9 +249,9 @@ class RatioAlong:
 
     def _real(self, x: float) -> float | None:
         """Return the ratio with friction, NaN where nothing balances, None where none is found."""
-        form, elsewhere = self._ratios.forms
-        found = self._value(form, x)
-        return self._value(elsewhere, x) if elsewhere and found is None else found
+        found = self._value(self._ratios.own_form, x)
+        elsewhere = self._ratios.real.elsewhere if found is None else None
+        return self._value(elsewhere, x) if elsewhere else found
 
     def _value(self, result: Result, x: float) -> float | None:
         """Return a result's value, NaN where its system says that there is none."""
