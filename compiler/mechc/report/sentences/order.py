@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Set
 
 from ...formula.layout import has_minus
-from ...formula.rewriting import by_opposite, by_tangent, rewritten
+from ...formula.rewriting import by_opposite, by_tangent, in_reading_order, rewritten
 from ...formula.tree import Call, Formula, Product, Sum, negative, total
 from ...formula.walk import symbols
 from ..languages.locale import Locale
@@ -55,12 +55,17 @@ def geometry_first(formula: Formula, turns: Set[str]) -> Formula:
     '-tan(alpha - delta)'
     >>> text(geometry_first(product([(sine, -1), (cosine, 1)]), {"delta"}))
     '-cot(alpha - delta)'
+    >>> angle = total([Symbol("alpha"), negative(Symbol("delta")), Symbol("phi")])
+    >>> text(geometry_first(Call("cos", (angle,)), {"delta"}))
+    'cos(alpha + phi - delta)'
     """
 
     def first(whole: Formula) -> Formula | None:
         match whole:
             case Call("sin" | "cos" as function, (Sum(terms),)) if _led_by(terms, turns):
                 return by_opposite(function, _turned_round(terms))
+            case Call("sin" | "cos" as function, (Sum(terms),)) if _takes_away(terms, turns):
+                return Call(function, (total(in_reading_order(terms)),))
             case Product(factors):
                 return by_tangent(factors)
             case Call("hypot" | "abs" as size, of):
@@ -72,6 +77,11 @@ def geometry_first(formula: Formula, turns: Set[str]) -> Formula:
 
 def _turned_round(terms: Iterable[Formula]) -> Formula:
     return total(positive_first(map(negative, terms)))
+
+
+def _takes_away(terms: Iterable[Formula], turns: Set[str]) -> bool:
+    """Return whether turns are taken away: they stand behind what is added."""
+    return any(has_minus(term) and symbols(term) <= turns for term in terms)
 
 
 def _led_by(terms: Iterable[Formula], turns: Set[str]) -> bool:
