@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -231,9 +232,13 @@ def child(*arguments: str, **options: object) -> "subprocess.Popen[str]":
 
 def test_an_interrupt_is_quiet(clamp):
     waiting = child("check", "-", stdin=subprocess.PIPE)
-    time.sleep(1)
-    waiting.send_signal(signal.SIGINT)
-    assert waiting.wait(20) == 130
+    for _ in range(20):  # on a busy machine the first may come before the interpreter heeds it
+        time.sleep(1)
+        waiting.send_signal(signal.SIGINT)
+        with suppress(subprocess.TimeoutExpired):
+            waiting.wait(1)
+            break
+    assert waiting.returncode == 130
     assert "Traceback" not in waiting.stderr.read()
     waiting.stdin.close()
 
