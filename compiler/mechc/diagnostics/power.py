@@ -171,6 +171,24 @@ def nothing_balances(at: Span, loads: Sequence[str], tied: Sequence[str]) -> Mes
     )
 
 
+@coded("E545")
+def tied_with_friction(at: Span, result: str, tied: str) -> Message:
+    """A ratio of two loads is asked for that are tied to each other, and there is friction.
+
+    The tie says what their ratio is, whatever resists the motion::
+
+        force P at A along y
+        force F = 2*P at B along -y
+        friction pins 0.1 diameter 10 mm
+        find k = P/F                       # wrong: 1/2, with friction or without it
+    """
+    return Message(
+        at,
+        f"friction has no part in {result}, which the tie of {tied} gives",
+        f"leave out the tie of {tied}, or the friction",
+    )
+
+
 @coded("E543")
 def loads_stand_still(at: Span) -> Message:
     """At the default pose the mechanism can move only so that no load does work.

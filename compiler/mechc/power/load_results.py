@@ -21,14 +21,14 @@ from .remarks import looseness, unbalanced
 def load_ratio(problem: PowerProblem, find: Find, asked: LoadRatio) -> AlgebraicResult | None:
     """Return a load per unit of another, others being absent; None where that is not fixed.
 
-    Reports E501 … E503 there, E544 where a tie leaves nothing to balance.
+    Reports E501 … E503 there, E544 and E545 of loads that are tied to each other.
     """
     equations = problem.equations
     (upper, factor), (lower, divisor) = map(equations.owner, (asked.above, asked.below))
     factor = factor / divisor
     if upper == lower:
-        if problem.balances_at_zero_alone and upper in equations.columns:
-            problem.report.add(unbalanced(problem, find))
+        if fault := _fault_of_tie(problem, find, asked):
+            problem.report.add(fault)
             return None
         return _ratio(problem, find, asked, factor)
     others = [n for n in equations.columns if n not in (upper, lower)]
@@ -40,6 +40,17 @@ def load_ratio(problem: PowerProblem, find: Find, asked: LoadRatio) -> Algebraic
     value = canonical(factor * equations.solve(upper, unknown, lower))
     shown = problem.reading.read(value, lambda e: factor * e.solve(upper, unknown, lower))
     return _ratio(problem, find, asked, value, shown)
+
+
+def _fault_of_tie(problem: PowerProblem, find: Find, asked: LoadRatio) -> Diagnostic | None:
+    """Return why a ratio of tied loads is no result: they do not balance, or there is friction."""
+    if problem.balances_at_zero_alone:
+        return unbalanced(problem, find)
+    if problem.mechanism.friction.joints:
+        pair = (asked.below, asked.above)
+        tied = next(load for load in pair if problem.loads[load].tie is not None)
+        return messages.tied_with_friction(find.span, find.name, tied)
+    return None
 
 
 def _is_determined(problem: PowerProblem, find: Find, asked: LoadRatio, unknown: list[str]) -> bool:

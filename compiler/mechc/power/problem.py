@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING
 
+from ..algebra.matrices import determinant
 from ..algebra.product import Product
 from ..diagnostics import Report
 from ..diagnostics import power as messages
@@ -19,7 +20,7 @@ from . import reactions
 from .balance import PowerEquations, Term, equations_of
 from .definitions import open_lengths, resting_on
 from .loads import given_size, terms
-from .numbers import DefaultNumbers
+from .numbers import DefaultNumbers, is_zero_everywhere
 from .reading import RatioReader
 
 if TYPE_CHECKING:
@@ -75,7 +76,9 @@ class PowerProblem:
         is_loaded = equations.idle_loads or any(isinstance(k, PivotFriction) for k in joints)
         if (joints and is_loaded) or not 0 < len(working) == equations.number:
             return False
-        return equations.determines(working)
+        power = determinant([equations.columns[load] for load in working])
+        formula, pose = power.formula(), self.plan.graph.pose
+        return not is_zero_everywhere(formula, resting_on(self.plan, formula, [power]), pose)
 
     def given(self, load: str) -> Formula | None:
         """Return the size that the description gives a load."""
