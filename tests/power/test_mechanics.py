@@ -1,5 +1,7 @@
 """What a mechanical engineer would notice: small mechanisms, one trap each."""
 
+import math
+
 import pytest
 
 import mechc
@@ -93,6 +95,32 @@ def test_a_ratio_may_be_of_a_tied_load():
     assert values["k"] == pytest.approx(1 / values["q"])
     assert values["k"] == pytest.approx(0.3 / values["w"])
     assert k(solved, "z") == "f"
+
+
+DRAWN_LEVER = """
+pivot O at (0 mm, 0 mm)
+link AOB
+A at (-100 mm, 0 mm)
+B at (60 mm, 10 mm)
+force P at A along -y
+"""
+
+
+def test_tied_loads_may_balance_by_drawn_places():
+    """The arms are 100 and 60 mm but for rounding; with friction nothing moves them."""
+    tied = DRAWN_LEVER + "force F = P/0.6 at B along -y\nfind k = P/F\n"
+    assert mechc.loads(tied).evaluate()["k"] == pytest.approx(0.6)
+    with pytest.raises(MechcError) as caught:
+        mechc.loads(tied + "friction pins 0.1 diameter 10 mm\n")
+    assert [d.code for d in caught.value.diagnostics] == ["E545"]
+
+
+def test_a_spread_load_may_act_about_its_pivot():
+    """From 2 to -1 N/mm over OB: its resultant is at O, and P has nothing to balance."""
+    load = "load Q intensity 2 N/mm to -1 N/mm on OB along -y\nfind P\nfind R_O\n"
+    found = mechc.loads(DRAWN_LEVER + load).evaluate()
+    assert found["P"] == pytest.approx(0.0, abs=1e-9)
+    assert found["R_O_y"] == pytest.approx(500 * math.hypot(0.06, 0.01))
 
 
 def test_a_load_with_others_tied_to_it_need_not_stand_still_where_k_is_zero():

@@ -10,7 +10,7 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import substitute, symbols
 from ..kinematics.forms import speed_of_load
 from ..kinematics.plan import Plan
-from ..model.mechanism import Force, Link, Load, Mechanism, Slide, Torque
+from ..model.mechanism import Force, Link, Load, Mechanism, PinFriction, Slide, Torque
 from .balance import Term
 
 
@@ -81,10 +81,19 @@ def at_rest(load: Load, mechanism: Mechanism) -> str:
     match load:
         case Torque(link=link):
             return f"link {link} does not turn"
+        case Force(point=point, link="") if bearing := _bearing(point, mechanism):
+            return f"{point} stands still, and is pressed by what acts `at {point} on {bearing}`"
         case Force(point=point) if point in mechanism.fixed:
             return f"{point} stands still"
         case _:
             return _between(load.points, mechanism)
+
+
+def _bearing(point: str, mechanism: Mechanism) -> str:
+    """Return the link that turns with friction on a point of the ground, '' where none does."""
+    pins = (k for k in mechanism.friction.joints if isinstance(k, PinFriction))
+    is_one = point in mechanism.fixed and any(pin.point == point for pin in pins)
+    return next(iter(mechanism.turning_at(point)), "") if is_one else ""
 
 
 def _between(points: Sequence[str], mechanism: Mechanism) -> str:

@@ -90,6 +90,27 @@ def off_the_mirror(span: Span, what: str, mirror: Span) -> Message:
     )
 
 
+@coded("E354")
+def off_the_axis(span: Span, what: str, point: str, copies: Span) -> Message:
+    """A direction does not lie along the axis of the copies, but equal branches want it to.
+
+    Branches stand around the guide of the points that they share: gravity acts on all of them
+    alike only along it, and so does a force on such a point.
+
+        slider K along y
+        copies 3 sharing K
+        gravity along -x              # wrong: it opens one branch and closes another
+        gravity along -y              # right
+    """
+    related = (Related(copies, "the copies"),)
+    return Message(
+        span,
+        f"{what} is not along the axis of the copies, the guide of {point}",
+        "turn it along the axis, or describe every branch",
+        related,
+    )
+
+
 @coded("W353")
 def on_the_line_twice(span: Span, load: str, point: str, sharing: str) -> Message:
     """A load acts on a point that slides on the mirror line and that the halves do not share.

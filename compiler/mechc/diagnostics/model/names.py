@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Sequence
 from ...source import Span
 from ...units import UNITS
 from ..diagnostic import Message, Related, coded, near_miss
+from ..syntax import listed
 
 MOST_LISTED_NAMES = 6
 """Names that are listed where none is near."""
@@ -79,6 +80,22 @@ def _declare_it(name: str, known: Collection[str]) -> str:
 def points_in_small(name: str, raised: str) -> str:
     """Return the hint at the name of a place or vector whose points are in small letters."""
     return f"points are capital letters: {raised}, not {name}"
+
+
+def of_no_point(name: str, points: Collection[str]) -> str:
+    """Return the hint at the name of a place of which there is no point.
+
+    >>> of_no_point("y_Z", ["A", "O"])
+    'y_Z is said of a point, and the points are A and O'
+    """
+    return f"{name} is said of a point, and the points are {listed(sorted(points), 'and')}"
+
+
+def dimension_as_value(name: str) -> str:
+    """Return the hint at a kind of quantity where a value belongs, in both notations."""
+    return (
+        f"a quantity without a value is written `param a: {name}`, in YAML a: {{dimension: {name}}}"
+    )
 
 
 def point_as_quantity(name: str) -> str:

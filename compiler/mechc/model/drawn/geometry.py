@@ -24,6 +24,7 @@ from ..mechanism import (
     Contact,
     Drawn,
     Drive,
+    Force,
     ForcePair,
     Geometry,
     Mechanism,
@@ -215,10 +216,14 @@ def _without_place(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]
 
 
 def _coinciding(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
-    """Yield the points of a body at the place of another one of it."""
+    """Yield the points of a body at the place of another one of it.
+
+    The resultant of a load that is spread may act there: its point is nobody's.
+    """
+    made = {k.point for k in mechanism.loads if isinstance(k, Force) and k.spread}
     for points in (body.points for body in mechanism.bodies):
         for hub, point in sketch.arms(points):
-            if sketch.coincide(hub, point):
+            if point not in made and sketch.coincide(hub, point):
                 at, first = sketch.span(point), sketch.span(hub)
                 yield messages.drawn_together(at, "".join(points), point, hub, first)
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 
+from ...diagnostics import Diagnostic
 from ...diagnostics.model import doubts
 from ...diagnostics.model import joints as messages
 from ...diagnostics.model import loads as load_words
@@ -94,8 +95,7 @@ def _off_the_line(
     """Yield the parts off the mirror line that both halves share, and where they are."""
     for load in loads:
         if isinstance(load, Force) and not _symmetric(load, across, shared, scope):
-            what = "gravity" if load.weight else f"force {load.name} on the shared {load.point}"
-            yield load.along.span, what
+            yield load.along.span, _bound(load)
     for body in guided:
         points = body.points if isinstance(body, Slide) else (body.point,)
         common = next((p for p in points if p in shared), None)
@@ -242,10 +242,30 @@ def read_copies(file: ast.File, scope: NameScope) -> Copies | None:
 
 
 def check_axis_of_copies(mechanism: Mechanism, scope: NameScope) -> None:
-    """Warn of points that copies share and no guide keeps on their axis."""
+    """Warn of points that copies share and no guide keeps on their axis; refuse loads off it."""
     copies = mechanism.copies
+    if copies is None:
+        return
     guided = {slider.point for slider in mechanism.each(Slider)} | mechanism.fixed
     guided |= {point for slide in mechanism.slides for point in slide.points}
-    for point in copies.sharing if copies else ():
-        if copies and point not in guided:
+    for point in copies.sharing:
+        if point not in guided:
             scope.report.add(doubts.copies_off_axis(copies.span, point))
+    if off := next(_off_the_axis(mechanism, copies, scope), None):
+        scope.report.add(off)
+
+
+def _off_the_axis(mechanism: Mechanism, copies: Copies, scope: NameScope) -> Iterator[Diagnostic]:
+    """Yield the loads that do not act on all branches alike, as far as a guide is their axis."""
+    axes = (slider for slider in mechanism.each(Slider) if slider.point in copies.sharing)
+    if (axis := next(axes, None)) is None:
+        return
+    for load in mechanism.loads:
+        if isinstance(load, Force) and not _symmetric(load, axis.along, copies.sharing, scope):
+            at = load.along.span
+            yield load_words.off_the_axis(at, _bound(load), axis.point, copies.span)
+
+
+def _bound(load: Force) -> str:
+    """Return a load that acts on all parts, in words."""
+    return "gravity" if load.weight else f"force {load.name} on the shared {load.point}"

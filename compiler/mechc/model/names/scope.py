@@ -14,7 +14,7 @@ from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...syntax.vocabulary import points_of
-from ...units import PARTS, Dimension
+from ...units import DIMENSIONS, PARTS, Dimension
 from . import not_brought
 from .forms import FORMS, form_of, form_of_pose
 from .points import PointTable
@@ -226,6 +226,8 @@ class NameScope:
         before = text.text[: at.start]
         if not_brought.without_friction(name) in self._results():
             yield messages.with_friction(name)
+        if name in DIMENSIONS:
+            yield messages.dimension_as_value(name)
         if name == "z" and before.endswith("along "):
             yield messages.PLANAR
         if small in AXES:
@@ -244,8 +246,10 @@ class NameScope:
         yield messages.rest_of_unit(before, name)
         yield messages.power_of_unit(name)
         yield messages.thread_by_name(before, name)
-        if form_of_pose(raised):
+        if raised != name and form_of_pose(raised):
             yield messages.points_in_small(name, raised)
+        elif (form := form_of_pose(name)) and not self.points.places.keys() >= set(form.points):
+            yield messages.of_no_point(name, self.points.places)
         if use:
             yield not_brought.reason(name, use, self.entries)
 
