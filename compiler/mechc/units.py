@@ -7,7 +7,7 @@ an angle unit in degrees is a rational multiple of π, so :class:`Unit` keeps it
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from .named import NamedTuple
@@ -303,8 +303,32 @@ def compound(spelled: str) -> Unit:
     return Unit(factor, dimension, pi)
 
 
-UNITS: dict[str, Unit] = SIMPLE | {spelled: compound(spelled) for spelled in COMPOUNDS.split()}
-UNITS |= {"J": UNITS["N*m"], "Hz": UNITS["1/s"]}
+class UnitTable(Mapping[str, Unit]):
+    """Units by how they are spelled; those made of others are found when they are asked for."""
+
+    def __init__(self, known: Mapping[str, Unit], spelled: Iterable[str]) -> None:
+        """Take the units that are known, and how all are spelled."""
+        self._known, self._spelled = dict(known), dict.fromkeys(spelled)
+
+    def __getitem__(self, spelled: str) -> Unit:
+        if spelled not in self._known and spelled in self._spelled:
+            self._known[spelled] = compound(spelled)
+        return self._known[spelled]
+
+    def __contains__(self, spelled: object) -> bool:
+        return spelled in self._spelled
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._spelled)
+
+    def __len__(self) -> int:
+        return len(self._spelled)
+
+
+ALIKE = {"J": _unit(1, TORQUE), "Hz": _unit(1, FREQUENCY)}
+"""Units of one word that are like compounds."""
+
+UNITS = UnitTable(SIMPLE | ALIKE, (*SIMPLE, *COMPOUNDS.split(), *ALIKE))
 """Every unit a number may carry, longest match first when read (``N*mm`` before ``N``)."""
 
 SPELLINGS = {"\u00b5m": "um", "\u03bcm": "um", "inch": "in", '"': "in", "°": "deg"}

@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import pytest
 
+from mechc import units
 from mechc.diagnostics import Report
 from mechc.source import Source
 from mechc.syntax import ast
@@ -22,6 +23,7 @@ from mechc.units import (
     UNITS,
     VELOCITY,
     Dimension,
+    compound,
 )
 
 
@@ -109,3 +111,21 @@ def test_both_notations_and_the_command_line_keep_a_unit(unit):
 def test_a_compound_is_made_of_simple_ones():
     assert not set(COMPOUNDS.split()) & {unit for unit in UNITS if unit.isalpha()}
     assert "h" not in UNITS
+
+
+def test_units_made_of_others_are_found_when_they_are_asked_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A description has a few of the hundred, and all of them took a hundredth of a compilation."""
+    asked: list[str] = []
+    monkeypatch.setattr(units, "compound", lambda s: asked.append(s) or compound(s))
+    table = units.UnitTable({"m": UNITS["m"]}, ("m", "m/s", "m^2"))
+    assert (list(table), len(table), "m/s" in table) == (["m", "m/s", "m^2"], 3, True)
+    assert not asked
+    assert [table["m/s"], table["m/s"]] == [UNITS["m/s"]] * 2
+    assert asked == ["m/s"]
+    assert table.get("s") is None
+
+
+def test_joule_and_hertz_are_what_they_are_made_of() -> None:
+    assert (UNITS["J"], UNITS["Hz"]) == (compound("N*m"), compound("1/s"))
