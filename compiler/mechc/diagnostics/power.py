@@ -171,6 +171,25 @@ def nothing_balances(at: Span, loads: Sequence[str], tied: Sequence[str]) -> Mes
     )
 
 
+@coded("E546")
+def balanced_but_for_rounding(at: Span, loads: Sequence[str]) -> Message:
+    """Tied loads balance whatever they are, but for the rounding of drawn coordinates.
+
+    Nothing follows from them, and what rounding leaves of their power is no equation::
+
+        A at (-100 mm, 0 mm)
+        B at (60 mm, 10 mm)
+        force P at A along -y
+        force F = 5/3*P at B along -y
+        find R_O                       # wrong; right with OA = 100 mm @ 180 deg and so on
+    """
+    return Message(
+        at,
+        f"{listed(loads, 'and')} balance whatever they are, but for the rounding of coordinates",
+        "give the places by lengths and angles, or leave out the tie",
+    )
+
+
 @coded("E545")
 def tied_with_friction(at: Span, result: str, tied: str) -> Message:
     """A ratio of two loads is asked for that are tied to each other, and there is friction.

@@ -71,14 +71,23 @@ class PowerProblem:
 
         Friction balances them, too, where what does no work, or a given thrust, presses joints.
         """
-        equations, working = self.equations, list(self.equations.columns)
         joints = self.mechanism.friction.joints
-        is_loaded = equations.idle_loads or any(isinstance(k, PivotFriction) for k in joints)
-        if (joints and is_loaded) or not 0 < len(working) == equations.number:
+        is_loaded = self.equations.idle_loads or any(isinstance(k, PivotFriction) for k in joints)
+        return self._is_square and not (joints and is_loaded) and not self.cancels_but_for_rounding
+
+    @property
+    def cancels_but_for_rounding(self) -> bool:
+        """Return whether only rounding keeps tied loads from balancing whatever they are."""
+        if not self._is_square:
             return False
-        power = determinant([equations.columns[load] for load in working])
+        power = determinant([*self.equations.columns.values()])
         formula, pose = power.formula(), self.plan.graph.pose
-        return not is_zero_everywhere(formula, resting_on(self.plan, formula, [power]), pose)
+        return is_zero_everywhere(formula, resting_on(self.plan, formula, [power]), pose)
+
+    @property
+    def _is_square(self) -> bool:
+        """Return whether there are as many loads that do work as equations, and any."""
+        return 0 < len(self.equations.columns) == self.equations.number
 
     def given(self, load: str) -> Formula | None:
         """Return the size that the description gives a load."""

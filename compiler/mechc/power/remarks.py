@@ -11,14 +11,16 @@ from ..model.mechanism import (
     Feed,
     Find,
     Link,
+    Load,
     LoadRatio,
     Mechanism,
+    ResultTarget,
     Slider,
     SpeedRatio,
     WithFriction,
 )
 from ..model.result import Result
-from .balance import Balance
+from .balance import Balance, PowerEquations
 from .loads import at_rest, held_drives
 from .problem import PowerProblem
 
@@ -115,20 +117,42 @@ def warn_of_idle_motions(problem: PowerProblem) -> None:
 
 
 def refuse_unbalanced(problem: PowerProblem) -> None:
-    """Report E544 where all that acts does work, and balances only where it is zero."""
+    """Report E544 where all that acts does work, and balances only where it is zero.
+
+    Where rounding alone keeps loads from balancing nothing follows from them: E546.
+    """
     finds = (f for f in problem.mechanism.finds if not isinstance(f.target, SpeedRatio))
-    first = next(finds, None)
-    if first and problem.balances_at_zero_alone and not problem.equations.idle_loads:
-        problem.report.add(unbalanced(problem, first))
-        problem.report.stop_on_errors()
+    of_forces = [f for f in finds if not _is_of_tied(f.target, problem.equations)]
+    if not of_forces:
+        return
+    if problem.balances_at_zero_alone and not problem.equations.idle_loads:
+        problem.report.add(unbalanced(problem, of_forces[0]))
+    elif problem.cancels_but_for_rounding:
+        working = [k.name for k in _working(problem)]
+        problem.report.add(messages.balanced_but_for_rounding(of_forces[0].span, working))
+    problem.report.stop_on_errors()
+
+
+def _is_of_tied(target: ResultTarget | None, equations: PowerEquations) -> bool:
+    """Return whether a result is a ratio of loads tied to each other, which the tie gives."""
+    match target:
+        case LoadRatio(above, below):
+            return equations.owner(above)[0] == equations.owner(below)[0]
+        case _:
+            return False
 
 
 def unbalanced(problem: PowerProblem, find: Find) -> Diagnostic:
     """Return E544: nothing balances the loads that do work."""
-    equations, mechanism = problem.equations, problem.mechanism
-    working = [k for k in mechanism.loads if equations.owner(k.name)[0] in equations.columns]
+    working = _working(problem)
     tied = [k.name for k in working if k.tie is not None]
     return messages.nothing_balances(find.span, [k.name for k in working], tied)
+
+
+def _working(problem: PowerProblem) -> list[Load]:
+    """Return the loads that do work, each by itself or with what it is tied to."""
+    equations = problem.equations
+    return [k for k in problem.mechanism.loads if equations.owner(k.name)[0] in equations.columns]
 
 
 def warn_of_idle_loads(balance: Balance, results: Sequence[Result], report: Report) -> None:
