@@ -405,6 +405,14 @@ def test_a_joint_at_rest_for_an_instant_has_the_friction_of_its_sides():
         assert lever.evaluate()[curve.name] != pytest.approx(marks[0], rel=1e-3)
 
 
+def test_an_extremum_far_below_a_pole_is_no_zero():
+    """Values next to a pole are of any size, and do not say what is but rounding."""
+    text = "sheet pole\nparam x = 2 in 0 .. 4\nlet y = (x - 1)^2 + 1/2 + 1/(x - 3)^2\n"
+    (curve,) = mechc.loads(text).plot("x", ["y"]).plot.curves
+    least = next(mark.at for mark in curve.marks if mark.kind == "minimum")
+    assert least.y == pytest.approx((least.x - 1) ** 2 + 0.5 + (least.x - 3) ** -2)
+
+
 def test_dead_centres_are_no_loads_across_a_velocity():
     rocker = loaded("crank_rocker").plot(language="uk")
     (curve,) = rocker.plot.curves

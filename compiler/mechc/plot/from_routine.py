@@ -120,7 +120,7 @@ def _curve(
         tuple(Plane(float(x), float(y)) for x, y in zip(xs, ys, strict=True))
         for xs, ys in pieces(trace)
     )
-    x_least, y_least = _least(trace.xs), _least(trace.ys)
+    x_least, y_least = NEAR_POINT * (sweep.high - sweep.low), _least(trace.ys)
     turns = ((t, Plane(_clean(t.x, x_least), _clean(t.y, y_least))) for t in trace.turns)
     marks = [Mark(TURNING[t.sense], at) for t, at in turns]
     marks += [Mark("zero", Plane(_clean(x, x_least), 0.0)) for x in trace.zeros]
@@ -129,9 +129,12 @@ def _curve(
 
 
 def _least(values: Array) -> float:
-    """Return the size below which a value counts as zero, compared with the range of values."""
-    finite = values[np.isfinite(values)]
-    return NEAR_POINT * float(np.ptp(finite)) if finite.size else 0.0
+    """Return the size below which a value counts as zero, against half of those that there are.
+
+    Next to a pole values have any size.
+    """
+    sizes = np.abs(values[np.isfinite(values)])
+    return NEAR_POINT * float(np.median(sizes)) if sizes.size else 0.0
 
 
 def _clean(value: float, least: float) -> float:
