@@ -381,6 +381,22 @@ def test_angles_could_drive_and_coefficients_of_friction_could_not():
     assert found.message == "no driving coordinate is named, expected alpha"
 
 
+def test_a_frame_has_no_stroke_and_wants_no_drive():
+    frame = """
+    pivot O at (0 mm, 0 mm)
+    pivot C at (100 mm, 0 mm)
+    link OA
+    link CA
+    A at (50 mm, 40 mm)
+    force F at A along -y
+    find R_O
+    """
+    with pytest.raises(mechc.MechcError) as caught:
+        stroke(frame)
+    (found,) = caught.value.diagnostics
+    assert (found.code, found.message) == ("E591", "nothing moves, so that there is no stroke")
+
+
 # ------------------------------------------------------------------------ velocities
 
 

@@ -25,11 +25,11 @@ from .usage import Word
 def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
     """Print what a stage of the compiler made of a description.
 
-    The stages, in order: syntax, model, pose, kinematics, power, friction, study, statics,
-    derivation, routine. Later stages are not run. Formulas are printed in the notation of the
-    language, quantities in SI; "as in model.links" is what `mechc show model` prints
-    under links. "figure" is what a drawing of the default pose shows, "bodies" the
-    forces on each body there. With --format json all of it is JSON.
+    The stages, in order: syntax, model, pose, kinematics, power, friction, calculation, study,
+    statics, derivation, routine. Later stages are not run. Formulas are printed in the notation
+    of the language, quantities in SI; "as in model.links" is what `mechc show model` prints
+    under links. "figure" is what a drawing of the default pose shows, "bodies" the forces on
+    each body there, "equilibrium" the sums that give k. With --format json all of it is JSON.
 
     \b
     mechc show kinematics clamp.mech

@@ -10,7 +10,9 @@ from .syntax import listed
 
 
 @coded("E591")
-def no_drive(span: Span, able: Sequence[str], unit: str, ranged: Sequence[str] = ()) -> Message:
+def no_drive(
+    span: Span, able: Sequence[str], unit: str, ranged: Sequence[str] = (), moves: bool = True
+) -> Message:
     """A stroke was asked for, and the description names no driving coordinate.
 
     ::
@@ -19,7 +21,11 @@ def no_drive(span: Span, able: Sequence[str], unit: str, ranged: Sequence[str] =
         drive phi from 10 deg to 80 deg
 
     Over the range of a parameter, ``mechc plot FILE --x phi`` shows results without a drive.
+    A frame has no stroke: nothing moves in it.
     """
+    if not moves:
+        hint = "what `mechc check` gives of a frame are its forces"
+        return Message(span, "nothing moves, so that there is no stroke", hint)
     message = (
         f"no driving coordinate is named, expected {listed(able)}" if able else "nothing drives"
     )

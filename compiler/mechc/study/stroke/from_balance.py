@@ -47,7 +47,8 @@ def run(
     drive = pose.mechanism.drive
     if drive is None:
         ranged = [p.name for p in pose.mechanism.parameters if p.range and not p.dependent]
-        raise report.fail(messages.no_drive(pose.mechanism.span, *_drivable(pose), ranged))
+        (able, unit), moves = _drivable(pose), bool(solution.plan.mobility)
+        raise report.fail(messages.no_drive(pose.mechanism.span, able, unit, ranged, moves))
     parameter = pose.mechanism.parameter(drive.parameter)
     ends = range_of(drive.parameter, pose.mechanism)
     if ends is None:
