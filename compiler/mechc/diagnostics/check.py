@@ -63,15 +63,18 @@ def _counted(poses: int) -> str:
 
 
 @coded("W581")
-def expectation_unproved(span: Span, subject: str, poses: int) -> Message:
+def expectation_unproved(span: Span, subject: str, poses: int, is_number: bool) -> Message:
     """An ``expect`` agrees at every pose tried, but algebra did not prove it.
 
     The two formulas may be equal only within the ranges of the parameters (a square root
     whose sign is lost outside them), or be beyond what can be decided exactly. The
-    figures agree to twelve digits at each pose.
+    figures agree to twelve digits at each pose. A whole number is such a formula, while one with
+    decimals is a figure of the default pose.
     """
     message = f"the formula for {subject} agrees at {_counted(poses)}, but is not proved equal"
-    return Message(span, message, "write it in the same angles as the result to have it proved")
+    proof = "write it in the same angles as the result to have it proved"
+    figure = "a figure of the default pose has decimals, as 8.0, or a tolerance, 8 +- 0.1"
+    return Message(span, message, figure if is_number else proof)
 
 
 @coded("E582")

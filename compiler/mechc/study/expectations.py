@@ -258,7 +258,8 @@ def _remark(finding: Finding, mechanism: Mechanism, unit: str) -> Diagnostic | N
         case "undecided" if finding.missing:
             return messages.expectation_without_pose(span, subject, finding.missing)
         case "agrees" | "undecided" if not _is_number(finding.expect):
-            return messages.expectation_unproved(span, subject, finding.poses)
+            is_number = not symbols(finding.expect.value)
+            return messages.expectation_unproved(span, subject, finding.poses, is_number)
     return None
 
 
