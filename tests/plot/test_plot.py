@@ -405,6 +405,36 @@ def test_a_joint_at_rest_for_an_instant_has_the_friction_of_its_sides():
         assert lever.evaluate()[curve.name] != pytest.approx(marks[0], rel=1e-3)
 
 
+def test_of_nothing_but_rounding_zero_is_plotted():
+    """Two cranks in gear move the point between two equal rods along x alone."""
+    text = """
+param a = 50 mm
+param phi = 60 deg
+param r = 12 mm
+pivot O at (0 mm, 0 mm)
+pivot Q at (0 mm, 2*r)
+link OA
+link QD
+link AB
+link DB
+OA = a @ phi
+QD = a @ -phi
+AB = a
+DB = a
+gear O r, Q r
+assembly ABD cw
+drive phi from 20 deg to 65 deg
+force F at B along y
+torque M on OA
+find k = M/F
+"""
+    cranks = mechc.loads(text)
+    assert 0 < max(map(abs, cranks.evaluate(phi=np.radians(range(21, 65)))["k"])) < 1e-15
+    plot = cranks.plot("phi").plot
+    assert {p.y for curve in plot.curves for piece in curve.pieces for p in piece} == {0.0}
+    assert set(plot.columns[1].values) == {0.0}
+
+
 def test_an_extremum_far_below_a_pole_is_no_zero():
     """Values next to a pole are of any size, and do not say what is but rounding."""
     text = "sheet pole\nparam x = 2 in 0 .. 4\nlet y = (x - 1)^2 + 1/2 + 1/(x - 3)^2\n"

@@ -17,6 +17,9 @@ A function of systems of equations is dear for each time that it is asked, not f
 NEAR_POINT = 1e-9
 """What a function is near a point is what it is so far from it, as a part of a cell."""
 
+NEXT, MOST_CHANGE = 2.0**-46, 0.01
+"""Numbers that are all but the same, as a part of the range; by what part a function may change."""
+
 SIDE = 1e-6
 """How far from a point its sides are looked at, as a part of the range."""
 
@@ -43,6 +46,26 @@ def without_holes(function: ArrayFunction, xs: Array, ys: Array) -> tuple[Array,
     beside = on(function, xs[holes][:, None] + aside[:, None] * np.array([-1.0, 1.0]))
     left_out = holes[np.isfinite(beside).all(axis=1)]
     return np.delete(xs, left_out), np.delete(ys, left_out)
+
+
+def is_rounding(function: ArrayFunction, low: float, high: float) -> bool:
+    """Return whether rounding is all that is left of a function in a range.
+
+    Then it changes as much as it is large between numbers that are all but the same.
+
+    >>> is_rounding(lambda x: np.sin(2 * x) - 2 * np.sin(x) * np.cos(x), 0.1, 1.0)
+    True
+    >>> is_rounding(lambda x: 1e-20 * x, 0.1, 1.0)
+    False
+    """
+    grid = np.linspace(low, high, PARTS)
+    with np.errstate(all="ignore"):
+        here, there = function(grid), function(grid + NEXT * (high - low))
+    known = np.isfinite(here) & np.isfinite(there)
+    if not known.any():
+        return False
+    changes = np.abs(there - here)[known]
+    return bool(np.median(changes) > MOST_CHANGE * np.median(np.abs(here[known])))
 
 
 def with_limits(

@@ -14,7 +14,7 @@ from ..model.mechanism import Mechanism
 from ..model.values import defaults, range_of
 from ..routine.steps import Input
 from ..units import USUAL_UNITS, Dimension
-from .narrowing import Array, ArrayFunction, with_limits
+from .narrowing import Array, ArrayFunction, is_rounding, with_limits
 from .plot import FamilyValue, Panel, Plot, PlotAxis, PlotColumn
 from .quantities import PlotQuantity, unit_of
 from .query import GivenSetting, Query
@@ -36,7 +36,14 @@ class PlotRange:
     values: Mapping[str, float]
 
     def function(self, quantity: PlotQuantity, setting: Sequence[FamilyValue]) -> ArrayFunction:
-        """Return the values of a quantity on a grid, with one setting of the family."""
+        """Return the values of a quantity on a grid, with one setting of the family.
+
+        They are 0 where nothing but rounding is left of it all over the range.
+        """
+        values = self._values(quantity, setting)
+        return np.zeros_like if is_rounding(values, self.low, self.high) else values
+
+    def _values(self, quantity: PlotQuantity, setting: Sequence[FamilyValue]) -> ArrayFunction:
         given = {**self.values, **{value.axis.name: value.value for value in setting}}
         lacking = [i.name for i in quantity.inputs if i.name not in (*given, self.x.name)]
         if lacking:
