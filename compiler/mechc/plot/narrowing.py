@@ -89,9 +89,9 @@ def _limits(function: ArrayFunction, xs: Array, step: float) -> Array:
     """Return the limits at points, by straight lines on either side; NaN where these differ."""
     around = on(function, xs[:, None] + step * np.array([-2.0, -1.0, 1.0, 2.0]))
     before, after = 2 * around[:, 1] - around[:, 0], 2 * around[:, 2] - around[:, 3]
-    size = np.fmax(np.abs(before), np.abs(after))
-    is_jump = np.abs(before - after) > SAME_SIDES * size
-    return np.where(is_jump, np.nan, np.nanmean([before, after], axis=0))
+    is_jump = np.abs(before - after) > SAME_SIDES * np.maximum(np.abs(before), np.abs(after))
+    middle = np.where(is_jump, np.nan, (before + after) / 2)
+    return np.where(np.isnan(before), after, np.where(np.isnan(after), before, middle))
 
 
 def within(low: Array, high: Array) -> Array:
