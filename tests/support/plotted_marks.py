@@ -34,12 +34,12 @@ def _is_near(found: float, value: float) -> bool:
 
 
 def _extrema(curve: Curve, plot: Plot) -> Iterator[str]:
-    """Yield the extrema that the next points of the curve go beyond."""
-    points = sorted(p for piece in curve.pieces for p in piece)
-    size = max((abs(p.y) for p in points), default=0.0)
+    """Yield the extrema that the next points of the curve go beyond, up to its breaks."""
+    size = max((abs(p.y) for piece in curve.pieces for p in piece), default=0.0)
     cell = (plot.high - plot.low) / 2000
     for mark in (m for m in curve.marks if m.kind in ("minimum", "maximum")):
         sense = 1 if mark.kind == "minimum" else -1
-        beyond = [p.y for p in points if abs(p.x - mark.at.x) < cell]
+        whole = next((p for p in curve.pieces if p[0].x <= mark.at.x <= p[-1].x), ())
+        beyond = [p.y for p in whole if abs(p.x - mark.at.x) < cell]
         if any(sense * (mark.at.y - y) > SAME * size for y in beyond):
             yield f"{curve.name} has no {mark.kind} at {mark.at}: {beyond}"

@@ -215,11 +215,12 @@ def page(found: Hunted) -> Iterator[str]:
 
 
 def curves(found: Hunted) -> Iterator[str]:
-    """Points that plots mark: what results are by default, extrema that go beyond the curve."""
+    """Points that the plots of reports mark: values by default, extrema beyond the curve."""
     made = found.compilation
     if not (over := usual(made.pose.mechanism, made.routine)):
         return
-    for result in made.results:
+    shown = (result for result in made.results if result.name in over.ys)
+    for result in shown:
         with suppress(MechcError):  # more loads than have values, or no curve at all
             yield from plotted_marks.refuted(result, made.plot(Query(over.x, (result.name,))))
 
