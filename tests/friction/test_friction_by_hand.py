@@ -14,11 +14,18 @@ from mechc.formula.evaluate import evaluate
 from mechc.formula.rounding import Rounding
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, negative, number, product, total
-from mechc.friction import pairs
-from mechc.friction.closed_form import conditions, readable
+from mechc.friction.closed_form import readable
 from mechc.friction.coupled import coupled, true_sizes
 from mechc.friction.efficiency import Drives, _has_roots
 from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_free
+from mechc.friction.friction_pairs import (
+    Component,
+    FrictionPair,
+    LoadedPair,
+    friction_pairs,
+    radii,
+    reduced,
+)
 from mechc.friction.iterated import exact, first_order
 from mechc.friction.lever_quadratic import LeverPivot, on_lever
 from mechc.friction.linear import LinearSolver
@@ -31,8 +38,8 @@ from mechc.friction.normal_forces import (
     without_slips_at_rest,
     without_unloaded,
 )
-from mechc.friction.pairs import Component, FrictionPair, LoadedPair
 from mechc.friction.sequential import SequentialSolver
+from mechc.friction.sign_conditions import conditions
 from mechc.friction.signs import AtAnyPose, bare, is_root
 from mechc.friction.signs_at_a_pose import SignsAtOnePose
 from mechc.frozen import replace
@@ -199,7 +206,7 @@ def pin(point, carrier="", radius="r"):
 
 
 def slip_of(pose):
-    (pair,) = pairs.pairs(pose)
+    (pair,) = friction_pairs(pose)
     return pair, form(pair.slip(graph(pose)), pi=math.pi)
 
 
@@ -258,19 +265,19 @@ def test_a_thread_slips_with_its_pitch_and_its_turn():
 
 
 def test_nothing_has_friction_with_a_coefficient_of_zero_or_on_a_shared_guide():
-    assert pairs.pairs(with_friction(slider_crank(), GuideFriction("B", number(0), HERE))) == ()
+    assert friction_pairs(with_friction(slider_crank(), GuideFriction("B", number(0), HERE))) == ()
     shared = slider_crank(mirror=Mirror(ALONG, ("B",), HERE), axis=at())
     pose = with_friction(shared, GuideFriction("B", number(Fraction(1, 5)), HERE), pin("O"))
-    (pair,) = pairs.pairs(pose)
+    (pair,) = friction_pairs(pose)
     assert (pair.name, pair.number) == ("O", 2)
 
 
 def test_radii_have_one_name_where_they_are_alike():
-    (pivot,) = pairs.pairs(with_friction(lever(), pin("O")))
+    (pivot,) = friction_pairs(with_friction(lever(), pin("O")))
     other = pivot._replace(name="A", factor=Product.symbol("c"))
-    assert pairs.radii([pivot, pivot._replace(name="A")]) == {"O": "rho", "A": "rho"}
-    assert pairs.radii([pivot, other]) == {"O": "rho_O", "A": "rho_A"}
-    assert pairs.reduced("C_guide") == "mu_C"
+    assert radii([pivot, pivot._replace(name="A")]) == {"O": "rho", "A": "rho"}
+    assert radii([pivot, other]) == {"O": "rho_O", "A": "rho_A"}
+    assert reduced("C_guide") == "mu_C"
 
 
 # -------------------------------------------------------------- bodies one after another
@@ -280,7 +287,7 @@ def chained(pose, driving, sense, **given):
     """Return the driving load that follows body after body, by the signs of the pose."""
     found, signs = plan(pose), one_pose()
     equations = equations_of(terms(found))
-    joint = loaded_pairs(found, equations, driving, pairs.pairs(pose), given)
+    joint = loaded_pairs(found, equations, driving, friction_pairs(pose), given)
     owners = {load.name: equations.owner(load.name) for load in pose.mechanism.loads}
     task = Task(pose, driving, given, owners, joint, Reactions(pose, (driving,)))
     solver = SequentialSolver(cut_free(task, False), signs, sense)
@@ -320,7 +327,7 @@ def test_a_rod_pulls_along_a_tangent_of_the_friction_circles_at_its_ends(sense):
 def loaded(pose, driving, **given):
     found = plan(pose)
     equations = equations_of(terms(found))
-    return loaded_pairs(found, equations, driving, pairs.pairs(pose), given)
+    return loaded_pairs(found, equations, driving, friction_pairs(pose), given)
 
 
 def test_the_normal_force_of_a_guide_is_the_load_times_the_tangent():

@@ -11,8 +11,8 @@ import pytest
 from mechc.formula.tree import number
 from mechc.frozen import replace
 from mechc.model.mechanism import Parameter
+from mechc.plot.curves import limits, pieces, smooth
 from mechc.plot.dead_centres import _Rest
-from mechc.plot.fitting import limits, pieces, smooth
 from mechc.plot.narrowing import with_limits
 from mechc.plot.query import _is_round, rows, usual
 from mechc.plot.sampling import _touched, traced

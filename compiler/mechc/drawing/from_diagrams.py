@@ -1,4 +1,4 @@
-"""From free bodies to their diagrams: each body cut free, the forces on it to scale."""
+"""From the diagrams of free bodies to their drawing: each body, the forces on it to scale."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,6 +1,6 @@
 """Friction: the surfaces that slide, the forces that press them, and k with both.
 
-In order: ``pairs``, ``normal_forces``, then a closed form body after body (``sequential``)
+In order: ``friction_pairs``, ``normal_forces``, then a closed form body after body (``sequential``)
 or for guides alone (``linear``), else the ``coupled`` equations (``iterated``). What a
 coefficient, a law and lengths make of a joint's factor is read in ``..model.forces.friction``.
 

@@ -23,12 +23,13 @@ from ..pose.pose import Arm, Pose, Vector
 from ..power.definitions import bound_names
 from ..power.joint_forces import component, joint_of, line_of, size_of_two
 from ..power.reactions import Transmitted
-from .closed_form import PrintedFormula, conditions, positive, readable
+from .closed_form import PrintedFormula, readable
 from .free_bodies import Bodies, BodyForce, EquationsCoupled
+from .friction_pairs import LoadedPair
 from .linear import LinearSolver
 from .normal_forces import load_of
-from .pairs import LoadedPair
 from .sequential import SequentialSolver
+from .sign_conditions import conditions, positive
 from .signs import SignSymbols
 from .signs_at_a_pose import SignsAtOnePose
 from .solution import FrictionStep, StepKind
@@ -101,7 +102,7 @@ def closed_force(
     where = (*signs.definitions, *drive)
     steps = (*found.steps, step)
     return PrintedFormula(
-        formula, tuple(dict.fromkeys(where)), conditions(signs), steps, positive(solver)
+        formula, tuple(dict.fromkeys(where)), conditions(signs), steps, positive(solver.conditions)
     )
 
 

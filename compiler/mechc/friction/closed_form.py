@@ -1,33 +1,27 @@
 """A closed form: as code takes it, and as it is printed."""
 
-import math
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 from itertools import combinations
-from typing import Literal, Protocol
+from typing import Protocol
 
 from ..algebra.factors import Factor, Trig
-from ..algebra.from_formula import to_product
-from ..algebra.intervals import IntervalBox, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add, canonical
-from ..formula import tree
 from ..formula.evaluate import evaluate
-from ..formula.layout import has_minus
 from ..formula.operations import count_operations
-from ..formula.to_text import text
-from ..formula.tree import Formula, negative, number, product, total
+from ..formula.tree import Formula, number, product, total
 from ..formula.walk import Substitution, symbols
 from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box, with_angles
 from ..model.result import Definition
 from ..model.values import Chain, completed, user_defined
-from ..named import NamedTuple
 from ..power.numbers import default_values, values_near_default
 from .free_bodies import EquationsCoupled
 from .naming import Meanings, OwnNames, renamed
-from .signs import AtAnyPose, SignSymbols, bare, exact_sign, is_root
+from .sign_conditions import Operator, SignCondition, conditions, positive
+from .signs import AtAnyPose, SignSymbols
 from .signs_at_a_pose import SignsAtOnePose
 from .solution import FrictionStep
 
@@ -36,8 +30,6 @@ NEAR_DEFAULT = 1e-3
 
 AT_REST = 1e-9
 """What is below this so far from the pose, in SI, is zero there, too."""
-
-Operator = Literal["<", "<=", ">", ">=", "="]
 
 
 @frozen
@@ -73,13 +65,6 @@ class DefinedFormula:
     elsewhere: "Callable[[], DefinedFormula] | None" = None
 
 
-class SignCondition(NamedTuple):
-    """A force that keeps its ideal sign in the formula: ``sign · force > 0``."""
-
-    sign: Product
-    force: Product
-
-
 class ClosedFormSolver(Protocol):
     """A way to solve for the driving load, and what its formula takes for granted then."""
 
@@ -104,7 +89,7 @@ def closed_form(
     """Return the driving load times a factor, with signs that follow from the pose."""
     solver = way(signs)
     formula = shortest(solver.solve(), factor)
-    return DefinedFormula(formula, tuple(signs.definitions), positive(solver))
+    return DefinedFormula(formula, tuple(signs.definitions), positive(solver.conditions))
 
 
 def printed_form(
@@ -114,42 +99,7 @@ def printed_form(
     solver = way(signs)
     formula = shortest(solver.solve(), factor)
     where, steps = tuple(signs.definitions), tuple(solver.steps)
-    return PrintedFormula(formula, where, conditions(signs), steps, positive(solver))
-
-
-def positive(solver: ClosedFormSolver) -> tuple[Formula, ...]:
-    """Return the formulas that must be positive for the forces to keep their senses."""
-    kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
-    return tuple(force.formula() for force in kept if bare(force).factors)
-
-
-def signed_part(formula: Formula, box: IntervalBox) -> tuple[Formula, Operator] | None:
-    """Return which part of a product must have a sign for it to be positive; None where it is."""
-    telling = bare(to_product(formula))
-    known = {f: 1 if is_root(Product.of(f)) else sign(Product.of(f), box) for f in telling.factors}
-    side = exact_sign(telling.coefficient) * math.prod(s for s in known.values() if s)
-    left = Product(1, {f: 1 for f, s in known.items() if not s})
-    return (left.formula(), ">" if side > 0 else "<") if left.factors else None
-
-
-def conditions(signs: SignsAtOnePose) -> tuple[tuple[Formula, Operator], ...]:
-    """Return the conditions under which signs stay what they are, the short ones first.
-
-    They are met in an order that the lines of a description may have a part in.
-    """
-    met = (_condition(value, sign) for value, sign in signs.holding().items())
-    return tuple(sorted(met, key=lambda c: (count_operations(c[0]), text(c[0]))))
-
-
-def _condition(value: Formula, sign: int) -> tuple[Formula, Operator]:
-    """Return that a value has a sign; a sum of which it is negative is turned to be positive.
-
-    One that would have minuses only stays as it is.
-    """
-    if sign < 0 and isinstance(value, tree.Sum) and any(map(has_minus, value.terms)):
-        return total(sorted(map(negative, value.terms), key=has_minus)), ">"
-    operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
-    return value, operators[sign]
+    return PrintedFormula(formula, where, conditions(signs), steps, positive(solver.conditions))
 
 
 def power(times: Fraction, factor: Formula, force: Formula, slip: Formula) -> Formula:

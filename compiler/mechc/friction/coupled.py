@@ -48,8 +48,8 @@ from ..formula.tree import (
 from ..frozen import frozen
 from ..model.result import Definition
 from ..named import NamedTuple
+from .friction_pairs import Component, LoadedPair
 from .naming import ForceSizes
-from .pairs import Component, LoadedPair
 from .senses import sense_of
 
 KEPT_FROM_ZERO = number(Fraction(1, 10**30))

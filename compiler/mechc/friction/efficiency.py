@@ -25,8 +25,9 @@ from ..model.result import Definition, FrictionResult, Result, SignCase
 from ..power.numbers import default_values, value_of
 from ..source import Span
 from ..units import NUMBER
-from .closed_form import DefinedFormula, Operator, PrintedFormula, readable
+from .closed_form import DefinedFormula, PrintedFormula, readable
 from .iterated import AS_SHORT_AS_NAME
+from .sign_conditions import Operator
 from .solution import FrictionStep
 
 

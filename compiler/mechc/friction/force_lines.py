@@ -13,8 +13,8 @@ from ..model.mechanism import Link
 from ..pose.pose import PointContact
 from . import surfaces
 from .free_bodies import Bodies, BodyForce, under
+from .friction_pairs import radii, reduced
 from .notes import Notes
-from .pairs import radii, reduced
 from .signs import SignSymbols
 from .surfaces import Surface
 

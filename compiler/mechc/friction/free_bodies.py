@@ -18,7 +18,7 @@ from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose, Vector, gathered
 from ..power.loads import occurrences
 from ..power.reactions import Reactions
-from .pairs import GivenForces, LoadedPair
+from .friction_pairs import GivenForces, LoadedPair
 
 BodyKind = Literal["lever", "slider", "pin"]
 

@@ -23,7 +23,7 @@ from ..model.mechanism import (
 from ..model.parts.friction import RopeFriction
 from ..model.parts.targets import SIGNS
 from ..model.result import Result
-from ..model.results.conditions import refuse_failing
+from ..model.results.conditions_of_use import refuse_failing
 from ..power.balance import AlgebraicResult, Balance
 from ..power.definitions import let_results, open_lengths
 from ..power.numbers import DefaultNumbers, value_of, with_default

@@ -20,9 +20,10 @@ from ..model.result import Definition, Result
 from ..named import NamedTuple
 from ..power.joint_forces import size_of
 from ..power.magnitudes import even, magnitude
-from .closed_form import DefinedFormula, PrintedFormula, conditions, power, readable
+from .closed_form import DefinedFormula, PrintedFormula, power, readable
+from .friction_pairs import FrictionPair, LoadedPair, radii, reduced
 from .naming import ForceSizes
-from .pairs import FrictionPair, LoadedPair, radii, reduced
+from .sign_conditions import conditions
 from .signs import is_root
 from .signs_at_a_pose import SignsAtOnePose
 from .solution import FrictionStep

@@ -14,12 +14,13 @@ from ..power.balance import Term
 from ..power.definitions import bound_sums
 from ..power.joint_forces import component, joint_of, line_of, size_of_two
 from ..power.reactions import Reactions
-from .closed_form import DefinedFormula, PrintedFormula, conditions
+from .closed_form import DefinedFormula, PrintedFormula
+from .friction_pairs import FrictionPair, LoadedPair, radii
 from .iterated import named_factor, step_of
 from .naming import ForceSizes
 from .normal_forces import load_of, term_of
-from .pairs import FrictionPair, LoadedPair, radii
 from .senses import sense_of
+from .sign_conditions import conditions
 from .signs_at_a_pose import SignsAtOnePose
 
 

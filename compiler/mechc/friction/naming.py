@@ -15,7 +15,7 @@ from ..frozen import frozen
 from ..model.mechanism import Sense
 from ..model.parts.targets import HOLDING
 from ..model.result import Definition
-from .pairs import FrictionPair
+from .friction_pairs import FrictionPair
 
 
 @frozen

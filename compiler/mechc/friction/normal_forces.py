@@ -25,7 +25,7 @@ from ..power.loads import occurrences
 from ..power.numbers import default_values
 from ..power.reactions import Reactions, amounts_of
 from ..units import ANGLE
-from .pairs import Component, FrictionPair, GivenForces, LoadedPair
+from .friction_pairs import Component, FrictionPair, GivenForces, LoadedPair
 from .tolerances import PRECISE
 
 

@@ -30,13 +30,13 @@ from ..power.loads import given_size
 from ..power.numbers import is_zero_everywhere
 from ..power.reactions import Reactions
 from . import closed_forces
-from .assumptions import assumptions, without_slip
 from .closed_form import DefaultPose, DefinedFormula
 from .coupled import Coupled, coupled, true_sizes
 from .free_bodies import Bodies, Task, cut_free
+from .friction_pairs import FrictionPair, LoadedPair, friction_pairs
 from .naming import Endings, ForceSizes, Meanings, with_one_meaning
 from .normal_forces import Idle, LoadedByAnother, Undetermined, loaded_pairs
-from .pairs import FrictionPair, LoadedPair, pairs
+from .remarks import remarks_on_fast_pins, remarks_on_pairs_at_rest
 
 if TYPE_CHECKING:
     from .closed_forces import NamedDrive
@@ -67,7 +67,7 @@ class FrictionProblem:
         self.taken = _names_in(balance)
         self.in_code, self.endings = Meanings(), Endings()
         self.default = DefaultPose(balance.plan, self.valued, self.taken)
-        self._pairs = pairs(balance.plan.graph.pose)
+        self._pairs = friction_pairs(balance.plan.graph.pose)
         self._loaded: dict[object, LoadedPairs | None] = {}
         self._reactions: dict[str, Reactions] = {}
         self._bodies: dict[object, Bodies] = {}
@@ -123,7 +123,7 @@ class FrictionProblem:
         except Idle as found:
             self.report.add(messages.slips_either_way(find.span, found.pair.joint.point))
         else:
-            for remark in without_slip(loaded, self.plan):
+            for remark in remarks_on_pairs_at_rest(loaded, self.plan):
                 self.report.add(remark)
             return loaded
         return None
@@ -209,7 +209,9 @@ class FrictionProblem:
 
     def remark_on_pins(self, case: IdealResult, *, exact: bool) -> None:
         """Remark on pins whose friction depends on the link that they are fast in."""
-        for remark in assumptions(self.plan.graph.pose, case.driving, case.given, exact=exact):
+        for remark in remarks_on_fast_pins(
+            self.plan.graph.pose, case.driving, case.given, exact=exact
+        ):
             self.report.add(remark)
 
 

@@ -26,14 +26,13 @@ from ..power.magnitudes import magnitude
 from ..power.numbers import is_zero, value_of
 from ..power.reactions import Transmitted
 from . import closed_forces, joint_forces, linear
-from .assumptions import asks_for_loads
-from .closed_form import DefinedFormula, PrintedFormula, closed_form, printed_form, signed_part
+from .closed_form import DefinedFormula, PrintedFormula, closed_form, printed_form
 from .efficiency import Drives
 from .free_bodies import EquationsCoupled
+from .friction_pairs import LoadedPair
 from .iterated import exact, exact_case, first_order, first_order_case, step_of
 from .naming import ForceSizes
 from .normal_forces import scaled
-from .pairs import LoadedPair
 from .problem import (
     FrictionProblem,
     IdealResult,
@@ -42,7 +41,9 @@ from .problem import (
     case_of_loads,
     without_friction,
 )
+from .remarks import asks_for_loads
 from .sequential import SequentialSolver
+from .sign_conditions import signed_part
 from .signs import AtAnyPose
 from .solution import SolvedWithFriction
 

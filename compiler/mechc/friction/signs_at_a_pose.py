@@ -5,7 +5,6 @@ from collections.abc import Mapping, Sequence, Set
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Factor, Opaque, Trig
-from ..algebra.from_formula import to_product
 from ..algebra.intervals import IntervalBox, NumberInterval, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
@@ -43,7 +42,7 @@ class SignsAtOnePose(SignNames):
     ) -> None:
         super().__init__(taken, meanings, endings)
         self._own = own
-        self._values, self._box = dict(values), dict(box)
+        self._values, self.box = dict(values), dict(box)
         self.conditions: dict[Formula, int] = {}
         self._signs: dict[Factor, int] = {}
         self._alike: dict[Factor, Product] = {}
@@ -53,8 +52,8 @@ class SignsAtOnePose(SignNames):
         if not factor:
             return factor
         known = self.define(name, factor.formula())
-        if sign(factor, self._box) == 1:
-            self._box[known] = POSITIVE
+        if sign(factor, self.box) == 1:
+            self.box[known] = POSITIVE
         return Product.symbol(known)
 
     def name_coefficient(self, name: str, factor: Product) -> Product:
@@ -98,7 +97,7 @@ class SignsAtOnePose(SignNames):
 
     def _looked_at(self, factor: Product) -> int:
         """Return the sign of a factor; note it where other values would change it."""
-        known = 1 if is_root(factor) else sign(factor, self._box)
+        known = 1 if is_root(factor) else sign(factor, self.box)
         known = self._implied(factor) if known is None else known
         if known is not None:
             return known
@@ -118,7 +117,7 @@ class SignsAtOnePose(SignNames):
     def _known_sign(self, value: Product) -> int | None:
         """Return the sign that a product has where all is as noted; None where that is open."""
         telling = self._in_simpler(value)
-        signs = [self._signs.get(f) or sign(Product.of(f), self._box) for f in telling.factors]
+        signs = [self._signs.get(f) or sign(Product.of(f), self.box) for f in telling.factors]
         known = [s for s in signs if s]
         return (
             math.prod(known) * exact_sign(value.coefficient) if len(known) == len(signs) else None
@@ -139,7 +138,7 @@ class SignsAtOnePose(SignNames):
         if known and abs(known.evaluate(self._values)) < math.pi / 2:
             return line + known * sign
         arc = self.turn(name, line, by, size) - line
-        self._box.update((named, ACUTE) for named, _ in arc.terms)
+        self.box.update((named, ACUTE) for named, _ in arc.terms)
         return line + arc * sign
 
     def unsquared(self, value: Product) -> Product:
@@ -157,7 +156,7 @@ class SignsAtOnePose(SignNames):
             return False
         side = exact_sign(self.note_sign("", arm).coefficient)
         beyond = add((arm, radius.scaled(-side)))
-        known = {f: sign(Product.of(f), self._box) for f in bare(beyond).factors}
+        known = {f: sign(Product.of(f), self.box) for f in bare(beyond).factors}
         telling = Product(1, {f: 1 for f, of_it in known.items() if of_it is None})
         if telling.factors:
             side *= exact_sign(beyond.coefficient) * math.prod(s for s in known.values() if s)
@@ -185,27 +184,6 @@ class SignsAtOnePose(SignNames):
         self.conditions[last.formula()] = self._signs[last]
         return bool(self._signs[last])
 
-    def holding(self) -> Mapping[Formula, int]:
-        """Return the signs that were noted, but for those that another one of them implies."""
-        kept = dict(self.conditions)
-        positive = {one: to_product(one).scaled(side) for one, side in kept.items() if side}
-        for one, value in list(positive.items()):
-            if any(self._implies(by, value) for other, by in positive.items() if other != one):
-                del kept[one], positive[one]
-        return kept
-
-    def _implies(self, value: Product, other: Product) -> bool:
-        """Return whether another value is positive where one is: it is that so many times, or more.
-
-        Where h·s − ρ > 0, s is (h·s − ρ)/h + ρ/h.
-        """
-        ratios = (two / one for one in _terms(value) for two in _terms(other))
-        for times in (ratio for ratio in ratios if sign(ratio, self._box) == 1):
-            more = add((other, -(times * value)))
-            if not more or sign(more, self._box) == 1:
-                return True
-        return False
-
     def define(self, name: str, formula: Formula) -> str:
         """Return the name of a formula from now on, and note its value."""
         known = super().define(name, formula)
@@ -225,12 +203,3 @@ def _angle_of(tangent: Product) -> Angle | None:
 
 def _sign(value: float) -> int:
     return (value > VANISHED) - (value < -VANISHED)
-
-
-def _terms(value: Product) -> Sequence[Product]:
-    """Return the terms of a sum, or the product itself."""
-    match list(value.factors.items()):
-        case [(Sum() as only, 1)]:
-            return [term.scaled(value.coefficient) for term in only.terms]
-        case _:
-            return [value]

@@ -9,7 +9,7 @@ from ..named import NamedTuple
 from ..pose.pose import PointContact
 from ..power.definitions import bound_names
 from .free_bodies import Bodies, EquationsCoupled
-from .pairs import LoadedPair
+from .friction_pairs import LoadedPair
 
 
 class Surface(NamedTuple):

@@ -10,5 +10,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"drawn", "translations"}
+    SELDOM = {"drawn", "equivalent_rods", "translations"}
     __getattr__ = waiting(__name__, SELDOM)

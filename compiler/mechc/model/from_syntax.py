@@ -12,12 +12,13 @@ from ..frozen import replace
 from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
-from . import drawn, translations
+from . import drawn, equivalent_rods, translations
 from .doubts.beyond_ranges import beyond_ranges
 from .doubts.remarks import doubts
 from .forces import coefficients, friction
 from .forces.force_pairs import inside_telescopes, spring_name
 from .forces.loads import read_loads
+from .forces.resultants import with_points_of_resultants
 from .formulas.definitions import DefinedValues, in_file_order, read_definitions, spread_feeding
 from .formulas.for_readers import for_readers
 from .formulas.parameters import warn_unused
@@ -35,13 +36,12 @@ from .linkage.symmetry import (
 )
 from .linkage.transmissions import read_arcs, read_joints, read_slides, read_telescopes
 from .linkage.wheels import check_belts
-from .lower import with_arcs, with_loaded_points
 from .mechanism import Find, LoadForm, Mechanism, Offset, Slider
 from .names.literals import with_names
 from .names.points import PointTable
 from .names.scope import NameScope
 from .results import reported
-from .results.conditions import implied, read_expects, read_requires
+from .results.conditions_of_use import implied, read_expects, read_requires
 from .results.finds import read_finds
 from .results.reactions import (
     check_guides_of_copies,
@@ -158,7 +158,8 @@ def _built(mechanism: Mechanism, file: ast.File, scope: NameScope) -> Mechanism:
         geometry=(*places, *fixed_places, *guide_places, *geometry),
         drawn=tuple(drawn),
     )
-    return with_arcs(built, read_arcs(file, slides, scope), scope)
+    arcs = read_arcs(file, slides, scope)
+    return equivalent_rods.with_rods_for_circular_slots(built, arcs, scope) if arcs else built
 
 
 def _under_loads(mechanism: Mechanism, file: ast.File, scope: NameScope) -> Mechanism:
@@ -171,7 +172,7 @@ def _under_loads(mechanism: Mechanism, file: ast.File, scope: NameScope) -> Mech
     check_turning_on_the_line(loaded, scope)
     check_axis_of_copies(loaded, scope)
     check_shared_places(loaded, scope)
-    return with_loaded_points(loaded)
+    return with_points_of_resultants(loaded)
 
 
 def _asked(

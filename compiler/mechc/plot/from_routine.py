@@ -13,7 +13,7 @@ from ..model.mechanism import Mechanism
 from ..pose.places import Plane
 from ..routine.steps import Routine
 from ..units import LENGTH
-from .fitting import limits, pieces, smooth
+from .curves import limits, pieces, smooth
 from .narrowing import NEAR_POINT, Array, ArrayFunction, narrowed, on
 from .plot import Curve, FamilyValue, Mark, MarkKind, Panel, Plot, PlotAxis, Zone
 from .quantities import PlotQuantity, quantities, unit_of

@@ -17,9 +17,9 @@ from .fault import Fault, check_length, check_once, note
 from .yaml import slips
 from .yaml.comments import comments, texts_cut_short, with_comments
 from .yaml.entries import several, statements
-from .yaml.layout import BY_NAME, FURTHER_KEYS
 from .yaml.nodes import Listing, Mapping, Scalar, YamlNode, compose
 from .yaml.scalars import described
+from .yaml.section_table import BY_NAME, FURTHER_KEYS
 from .yaml.sections import EntryShape, YamlSection
 from .yaml.values import values
 

@@ -1,4 +1,4 @@
-"""The JSON Schema of YAML descriptions, made from the layout.
+"""The JSON Schema of YAML descriptions, made from the table of sections.
 
 Editors complete and check with it while one types. ``python -m mechc.syntax.schema``
 writes ``grammar/mechanism.schema.json``.
@@ -9,7 +9,7 @@ from typing import Any
 
 from ..data_folders import data
 from ..units import DIMENSIONS
-from .yaml.layout import FURTHER_KEYS, SECTIONS
+from .yaml.section_table import FURTHER_KEYS, SECTIONS
 from .yaml.sections import EntryKey, EntryShape, SectionEntry, ValueKind, YamlSection
 
 Schema = dict[str, Any]

@@ -1,4 +1,4 @@
-"""The syntax tree to YAML, one canonical text for each tree, made from the layout.
+"""The syntax tree to YAML, one canonical text for each tree, made from the table of sections.
 
 YAML orders by sections: the statements of a section keep their order, and several of one
 name stand together; :func:`in_yaml_order` is the tree that reading the text gives back.
@@ -10,7 +10,7 @@ from typing import Any
 
 from . import ast, text
 from .to_dsl import commented, given
-from .yaml.layout import ORDER, SECTIONS
+from .yaml.section_table import ORDER, SECTIONS
 from .yaml.sections import EntryKey, EntryShape, SectionEntry, ValueKind, YamlSection
 from .yaml.text import scalar
 from .yaml.text import text as text_scalar
@@ -156,7 +156,7 @@ def with_comments(line: str, statement: ast.Statement, indent: int) -> list[str]
 
 
 def entry_of(statement: ast.Statement) -> SectionEntry:
-    """Return the layout of a statement."""
+    """Return the entry of the table of sections that a statement is printed by."""
     section = SECTIONS[ORDER[type(statement)]]
     return next(entry for entry in section.entries if entry.node is type(statement))
 

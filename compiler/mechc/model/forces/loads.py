@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from ...diagnostics.model import loads as messages
 from ...diagnostics.model import names, sizes
-from ...diagnostics.model import slots_and_spread_loads as lowering_messages
+from ...diagnostics.model import slots_and_spread_loads as spread_messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import (
     Call,
@@ -33,7 +33,6 @@ from ..formulas.directions import check_sign, read_direction, value_of
 from ..formulas.expressions import Reader
 from ..formulas.measured import fits
 from ..formulas.parameters import constant
-from ..lower import free_point
 from ..mechanism import (
     GRAVITY,
     Absolute,
@@ -51,6 +50,7 @@ from ..names.scope import DESCRIPTION, TIE, NameScope
 from ..statements import every, only
 from ..values import ordered
 from .force_pairs import carrying, read_force_pair
+from .resultants import free_point
 
 LEAST_G, MOST_G = 0.1, 100.0
 """Accelerations of free fall, in m/s^2, between which all are that somebody works with."""
@@ -133,13 +133,13 @@ def _distributed(
     if link is None or not ends or not along or intensities is None:
         return None
     if intensities and _cancels(intensities, scope):
-        scope.report.add(lowering_messages.spread_without_resultant(at, name))
+        scope.report.add(spread_messages.spread_without_resultant(at, name))
         return None
     length = _length(ends[0], ends[1], built)
     if length is None:
         ray = ray_through((ends[0], ends[1]), built.geometry)
         start = ray.start if ray else ""
-        scope.report.add(lowering_messages.stretch_without_length(at, ends[0], ends[1], start))
+        scope.report.add(spread_messages.stretch_without_length(at, ends[0], ends[1], start))
         return None
     spread = Spread(link.name, ends[0], ends[1], length, _centroid(intensities), intensities)
     return Force(name, point, along, statement.span, spread.resultant, times, spread=spread)

@@ -5,7 +5,7 @@ from itertools import pairwise
 from typing import TypeVar
 
 from ...diagnostics.model import joints as messages
-from ...diagnostics.model import slots_and_spread_loads as lowering_messages
+from ...diagnostics.model import slots_and_spread_loads as slot_messages
 from ...diagnostics.model import wheels
 from ...frozen import replace
 from ...syntax import ast
@@ -148,7 +148,7 @@ def _arc(
     point, body = held[:2]
     if centre[0] not in body.points:
         at = statement.about.span
-        scope.report.add(lowering_messages.centre_of_another(at, centre[0], body.name))
+        scope.report.add(slot_messages.centre_of_another(at, centre[0], body.name))
         return None
     return point, ArcSlot(body.name, centre[0], radius, statement.span)
 

@@ -1,4 +1,4 @@
-"""One entry of a YAML section to one or more statements, as the layout says."""
+"""One entry of a YAML section to one or more statements, as the table of sections says."""
 
 from collections.abc import Iterable, Iterator
 from typing import Any

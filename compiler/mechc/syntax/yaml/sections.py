@@ -1,4 +1,4 @@
-"""What the layout of a YAML description is made of: sections, entries, keys, kinds of values.
+"""What the table of YAML's sections is made of: sections, entries, keys, kinds of values.
 
 A section is a key at the top. Its entries become statements of the tree; an entry says
 which node it makes, what its key names, what a plain value means, and which keys its

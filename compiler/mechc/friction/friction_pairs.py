@@ -102,7 +102,7 @@ class Component:
     by: Mapping[str, Product] = field(on_demand=True)
 
 
-def pairs(pose: Pose) -> tuple[FrictionPair, ...]:
+def friction_pairs(pose: Pose) -> tuple[FrictionPair, ...]:
     """Return all pairs of surfaces with friction, in the order of the text.
 
     There is none where the coefficient is written as 0, nor on a guide that halves or branches

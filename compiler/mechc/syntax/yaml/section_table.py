@@ -1,11 +1,11 @@
-"""The layout of a YAML description: one table from which reader, printer and schema are made.
+"""The table of YAML's sections: from it reader, printer and schema are made.
 
 Adding a construct to YAML is adding an entry here, and nowhere else.
 """
 
 from .. import ast
 from ..vocabulary import LANGUAGES
-from .layout_keys import (
+from .entry_keys import (
     AT_POINT,
     BETWEEN,
     FRICTION,

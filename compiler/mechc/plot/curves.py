@@ -1,4 +1,4 @@
-"""A function that was followed, fit to be shown: bends, jumps, the values that are shown."""
+"""From a sampled function to the curve shown: points where it bends, jumps, limits, pieces."""
 
 from collections.abc import Iterator
 

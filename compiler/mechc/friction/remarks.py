@@ -1,4 +1,4 @@
-"""What friction takes for granted: which link a pin is fast in, that a joint at rest has none."""
+"""Remarks on what friction takes for granted: a pin's link, a joint at rest that has none."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from types import UnionType
@@ -31,7 +31,7 @@ from ..power.numbers import default_values
 from ..power.reactions import Reactions
 from ..source import Span
 from . import at_rest
-from .pairs import FrictionPair, GivenForces, LoadedPair
+from .friction_pairs import FrictionPair, GivenForces, LoadedPair
 from .senses import sense_of
 
 AT_REST: Final[Mapping[str, tuple[type[JointFriction] | UnionType, str]]] = {
@@ -47,7 +47,7 @@ AT_REST: Final[Mapping[str, tuple[type[JointFriction] | UnionType, str]]] = {
 """What is said of a pair without slip, by what its name ends in: a pin's ends in a link, if any."""
 
 
-def assumptions(
+def remarks_on_fast_pins(
     pose: Pose, driving: str, given: GivenForces, *, exact: bool
 ) -> Iterator[Diagnostic]:
     """Yield a remark on each pin whose friction depends on the link that it is fast in.
@@ -101,7 +101,7 @@ def _alike(pin: PinFriction, pose: Pose, driving: str, given: GivenForces) -> bo
     return not add((first, -second))
 
 
-def without_slip(loaded: Iterable[LoadedPair], plan: Plan) -> Iterator[Diagnostic]:
+def remarks_on_pairs_at_rest(loaded: Iterable[LoadedPair], plan: Plan) -> Iterator[Diagnostic]:
     """Yield a remark on each pressed pair that does not slip at the only pose there is.
 
     Where a drive or an angle moves the links a slip that is zero is so at any pose, or is seen to

@@ -1,65 +1,22 @@
-"""What is a combination of simpler parts, put as these: circular slots, loads spread out.
+"""Where the resultant of a load spread over a link acts: a point of that link.
 
-Everything behind the model knows links, joints and forces at points only.
+Everything behind the model knows forces at points alone.
 """
 
 from collections.abc import Sequence
 from itertools import count
 
-from ..diagnostics.model import joints as messages
-from ..diagnostics.model import slots_and_spread_loads as words
-from ..formula.tree import negative, product, total
-from ..frozen import replace
-from .entries import drawn_places, ray_through, unit_of_drawing, vector_between
-from .mechanism import (
-    AlongLine,
-    ArcSlot,
-    Arrow,
-    Drawn,
-    Force,
-    Geometry,
-    Link,
-    Load,
-    Mechanism,
-    Spread,
-)
-from .names.scope import NameScope
+from ...formula.tree import negative, product, total
+from ...frozen import replace
+from ..entries import drawn_places, ray_through, unit_of_drawing, vector_between
+from ..mechanism import AlongLine, Arrow, Drawn, Force, Load, Mechanism, Spread
+from ..names.scope import NameScope
 
 MIDDLE = "M"
 """The letter of a point at which the resultant of a spread load acts."""
 
 
-def with_arcs(
-    mechanism: Mechanism, arcs: Sequence[tuple[str, ArcSlot]], scope: NameScope
-) -> Mechanism:
-    """Return the mechanism with a rod from the centre to the pin for each circular slot.
-
-    The rod has the slot's radius for its length, pushes and pulls along the same line, and so
-    takes the slot's place exactly: the equivalent linkage of textbooks.
-    """
-    links, geometry = list(mechanism.links), list(mechanism.geometry)
-    for pin, arc in arcs:
-        ends = (arc.centre, pin)
-        if other := next((k for k in links if {*ends} == {*k.points}), None):
-            scope.report.add(messages.link_again(arc.span, other.name, other.span))
-            continue
-        links.append(Link("".join(ends), ends, arc.span, arc=arc))
-        _lay(geometry, ends, arc, scope)
-    return replace(mechanism, links=tuple(links), geometry=tuple(geometry))
-
-
-def _lay(geometry: list[Geometry], ends: tuple[str, str], arc: ArcSlot, scope: NameScope) -> None:
-    """Give the vector between two points the radius for its length."""
-    entry = vector_between(ends, geometry)
-    if not isinstance(entry, Arrow):
-        geometry.append(Arrow(*ends, arc.radius, None, arc.span))
-        return
-    if entry.length is not None:
-        scope.report.add(words.radius_is_length(entry.span, "".join(ends), arc.span))
-    geometry[geometry.index(entry)] = replace(entry, length=arc.radius)
-
-
-def with_loaded_points(mechanism: Mechanism) -> Mechanism:
+def with_points_of_resultants(mechanism: Mechanism) -> Mechanism:
     """Return the mechanism with a point on its link for the resultant of each spread load."""
     for load in mechanism.loads:
         if isinstance(load, Force) and load.spread:

@@ -1,4 +1,4 @@
-"""Keys that several entries of the YAML layout have, and the entries of friction."""
+"""Keys that several entries of YAML's sections have, and the entries of friction."""
 
 from .. import ast
 from .sections import EntryKey, SectionEntry, ValueKind, key, optional, word
