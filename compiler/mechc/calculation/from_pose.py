@@ -43,7 +43,7 @@ def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
         report.add(doubt)
     for doubt in negative_sizes(mechanism, values, len(report.source.text)):
         report.add(doubt)
-    _remark_on_rest(mechanism, brought, given, report)
+    _warn_of_results_at_rest(mechanism, brought, given, report)
     failed |= _refuse_without(pose, given, values, report)
     _refuse_undefined(mechanism, values, failed, report)
     nothing = _rounded_zeros(mechanism, given)
@@ -77,15 +77,19 @@ def _refuse_without(pose: Pose, given: Values, values: Values, report: Report) -
     return {result.name for result in missing}
 
 
-def _remark_on_rest(
+def _warn_of_results_at_rest(
     mechanism: Mechanism, brought: Sequence[Result], given: Values, report: Report
 ) -> None:
-    """Warn of the first result of each mechanism, of those used, that lacks a joint's friction."""
+    """Warn of results of mechanisms that lack the friction of a joint which does not slide.
+
+    Of those that one mechanism gives, and that the sheet uses, the first is warned of.
+    """
     conditions = (side for r in mechanism.requires for side in (r.left, r.right))
     used = symbols(*user_defined(mechanism).values(), *conditions)
-    still = {r.name for r in brought if r.name in used and is_at_rest(r, given)}
-    for one in {t.span: t for t in reversed(mechanism.taken) if t.name in still}.values():
-        report.add(uses_messages.result_at_rest(one.span, one.name, one.asked))
+    at_rest = {r.name for r in brought if r.name in used and is_at_rest(r, given)}
+    first = {taken.span: taken for taken in reversed(mechanism.taken) if taken.name in at_rest}
+    for taken in first.values():
+        report.add(uses_messages.result_at_rest(taken.span, taken.name, taken.asked))
 
 
 def _open_loop(result: str, loops: tuple[ClosedLoop, ...], values: Values) -> str:

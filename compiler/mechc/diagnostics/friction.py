@@ -124,8 +124,8 @@ def drive_jams(span: Span, name: str, drive: str, grips: bool, idle: str = "") -
     """Friction is so large at the default pose that no force of the drive moves anything.
 
     The drive's line of force passes the friction circle of a pivot, or stands within the
-    angle of friction: with the drive grows friction, and faster. There is no balance, so
-    the result has no value there, and the code gives NaN.
+    angle of friction: friction grows faster than the drive. There is no balance, so the
+    result has no value there, and the code gives NaN.
 
     Of a ratio P/F the drive is P. A screw that does not yield to its load jams where F/P is
     asked for, for then the load drives.

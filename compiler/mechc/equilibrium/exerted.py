@@ -93,7 +93,7 @@ def _pin(point: str, cut: Cutting) -> Iterator[Exerted]:
     others = [name for name in cut.on(point) if name != host]
     for body in others:
         of = point if len(others) == 1 else f"{point}_{body}"
-        force, lines = _held(body, point, of, host, cut)
+        force, lines = _force_at_pin(body, point, of, host, cut)
         actions = [
             action
             for name, along in zip(force.names, lines, strict=True)
@@ -105,7 +105,7 @@ def _pin(point: str, cut: Cutting) -> Iterator[Exerted]:
         yield _exerted(force, actions)
 
 
-def _held(
+def _force_at_pin(
     body: str, point: str, of: str, host: str, cut: Cutting
 ) -> tuple[JointForce, tuple[Angle, Angle]]:
     """Return the force on a body at a pin, by its components, and the lines of these."""

@@ -58,17 +58,21 @@ def _with_names(cut: Cut, pose: Pose, solved: Iterable[AlgebraicResult]) -> Cut:
 
 
 def _forces(pose: Pose, cut: Cut, solved: Iterable[AlgebraicResult]) -> Iterator[Equilibrium]:
+    """Yield the steps to each force at a joint that sums of forces and moments lead to.
+
+    It is an unknown of the free bodies, or a component, the sum of what acts at the joint.
+    """
     loads = frozenset(load.name for load in pose.mechanism.loads)
-    for one in solved:
-        target = one.result.target
-        if target is None or not one.releases:
+    for found in solved:
+        name, target = found.result.name, found.result.target
+        if target is None or not found.releases:
             continue
-        force = force_between(target, cut, pose)
-        whole = None if force else made_up(target, one.result.name, cut, pose)
-        load = force or (whole and one.result.name)
-        known = loads.difference(one.releases[0].held)
-        if load and (steps := _steps(pose, cut, load, known, whole)):
-            yield _equilibrium(one.result.name, target, load, cut, steps, pose)
+        unknown = force_between(target, cut, pose)
+        component = None if unknown else made_up(target, name, cut, pose)
+        force = unknown or (component and name)
+        known = loads.difference(found.releases[0].held)
+        if force and (steps := _steps(pose, cut, force, known, component)):
+            yield _equilibrium(name, target, force, cut, steps, pose)
 
 
 def _known(plan: Plan, target: LoadRatio | LoadForm) -> ForceNames:

@@ -58,7 +58,9 @@ class AngleSolution(NamedTuple):
 
 
 def zeros(formula: Formula, name: str) -> Iterator[AngleSolution]:
-    """Yield where a formula vanishes.
+    """Yield the values of ``name``, an angle or a factor, at which a formula vanishes.
+
+    Zeros of parts that cannot be solved for it are left out.
 
     >>> from .to_text import text
     >>> a, d, c = (Symbol(n) for n in ("alpha", "delta", "c"))
@@ -83,7 +85,7 @@ def zeros(formula: Formula, name: str) -> Iterator[AngleSolution]:
 
 
 def poles(formula: Formula, name: str) -> Iterator[AngleSolution]:
-    """Yield where a formula is infinite.
+    """Yield the values of ``name`` at which a formula is infinite, as :func:`zeros` does.
 
     >>> from .to_text import text
     >>> [text(s.value) for s in poles(Call("tan", (Symbol("alpha"),)), "alpha")]

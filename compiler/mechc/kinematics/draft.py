@@ -103,7 +103,8 @@ class Draft:
     ) -> tuple[Angle, Angle]:
         """Return the line of the link, in which its spin has no part, and the normal to it.
 
-        Two points of a link may lie in one place: then any two directions do.
+        Two points of a link may lie in one place, where any two directions do: the normal is then
+        that of the last part of the velocity, so that this part is in one of the projections alone.
         """
         arms = self.pose.vector(link.name, base, point) if base else ()
         along = velocity[-1].direction - QUARTER if velocity else Angle()

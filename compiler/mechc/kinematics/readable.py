@@ -28,7 +28,7 @@ class ReadablePlan(Plan):
     """A plan to read formulas off: its speeds are divided by nothing that would cancel."""
 
     def value(self, form: LinearForm) -> SpeedFactors:
-        """Return a linear form in the unknowns as one in the drives, as short as it can stand."""
+        """Return a speed, linear in the unknowns, per unit of each drive, in its shortest form."""
         return tuple(
             shortest([size * self.speeds[u][i] for u, size in form.items()])
             for i in range(self.mobility)

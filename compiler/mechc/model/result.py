@@ -57,7 +57,7 @@ class Result:
 class SignCase:
     """A result with friction as it is printed: for one case of the signs of slips and forces.
 
-    ``holds`` are the conditions, each ``formula > 0`` or ``formula < 0``.
+    ``holds`` are the conditions, each of a formula that is positive, negative or zero.
     """
 
     formula: Formula

@@ -134,12 +134,12 @@ WRITTEN_DENOMINATORS = 100
 """The denominators up to which a fraction under a root is a number that a person wrote."""
 
 
-def _without_fraction(square: Rational) -> tuple[Rational, Rational]:
-    """Return the factor before the root of a number, and the number under it: 1 of a square."""
-    whole, below = (math.isqrt(abs(n)) for n in (square.numerator, square.denominator))
-    if Fraction(whole * whole, below * below) == square:
+def _without_fraction(radicand: Rational) -> tuple[Rational, Rational]:
+    """Return the factor before the root of a number, and what is left under it: 1 of a square."""
+    whole, below = (math.isqrt(abs(n)) for n in (radicand.numerator, radicand.denominator))
+    if Fraction(whole * whole, below * below) == radicand:
         return rational(Fraction(whole, below)), 1
-    if square.denominator > WRITTEN_DENOMINATORS:
-        return 1, square
-    outside = below if below * below == square.denominator else square.denominator
-    return rational(Fraction(1, outside)), rational(Fraction(square) * outside * outside)
+    if radicand.denominator > WRITTEN_DENOMINATORS:
+        return 1, radicand
+    outside = below if below * below == radicand.denominator else radicand.denominator
+    return rational(Fraction(1, outside)), rational(Fraction(radicand) * outside * outside)

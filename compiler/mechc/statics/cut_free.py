@@ -59,7 +59,7 @@ def cut_free(solution: StaticsSolution, places: PointPositions) -> tuple[FreeBod
         actions.load(name, size, solution.frictions.get(name))
     actions.balance_couples()
     actions.forget(solution.bearings)
-    bodies = [_shared(body, solution.common) for body in _Drawn(actions).bodies()]
+    bodies = [_with_forces_of_branches(body, solution.common) for body in _Drawn(actions).bodies()]
     frames = actions.members.frames
     for rod in (body for body in bodies if body.name in frames and frames[body.name].arc):
         bodies = list(_slotted(rod, bodies))
@@ -82,8 +82,11 @@ def sizes_beyond_rounding(
     return {n: s if abs(s) > least[n in torques] else 0.0 for n, s in solution.sizes.items()}
 
 
-def _shared(body: FreeBody, common: Set[str]) -> FreeBody:
-    """Return a body on which the other branches do what a guide does in the plane of one."""
+def _with_forces_of_branches(body: FreeBody, common: Set[str]) -> FreeBody:
+    """Return a body on which the other branches exert the forces at points that all have.
+
+    In the plane of one branch these are forces of a guide.
+    """
     forces = (
         a._replace(by="branches") if a.kind == "guide" and a.point in common else a
         for a in body.forces

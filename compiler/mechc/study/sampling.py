@@ -81,7 +81,10 @@ def sampled_values(
     grid = _with(grid, _next_to_ends(moving, grid))
     grid = _with(grid, _in_cells(_edge, moving, grid))
     grid = _with(
-        grid, _bulging(moving, grid), _turning_next_to_breaks(moving, grid), _loose(moving, grid)
+        grid,
+        _middles_beyond_both_ends(moving, grid),
+        _turning_next_to_breaks(moving, grid),
+        _loose(moving, grid),
     )
     return _with(grid, _extremes(moving, grid))
 
@@ -324,8 +327,8 @@ def _loose(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
                 yield top
 
 
-def _bulging(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
-    """Yield the middles of cells in which an efficiency turns: they are above or below both ends.
+def _middles_beyond_both_ends(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
+    """Yield the middles of cells with an extremum: the efficiency is above or below both ends.
 
     Next to a jump the cell itself may hold its lowest or highest. Where cells are narrow and it
     rises, or falls, from the value before one to that after it, its middle is not looked at.

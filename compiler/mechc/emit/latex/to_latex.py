@@ -37,7 +37,7 @@ from ...report.latex.printer import Box, box, plain, row
 from ...report.latex.quantity import math
 from ...report.latex.results import (
     LatexSpeller,
-    check,
+    agreement_with_statics,
     definitions,
     section_block,
     section_blocks,
@@ -214,7 +214,7 @@ def report(
         values=values(full, locale, style),
         of_position=tuple(in_line(item, locale, style) for item in aside),
         numbers=numbers(derivation.results, shown, locale, style),
-        check=check(verdict, locale, style),
+        check=agreement_with_statics(verdict, locale, style),
         remarks=untried(verdict, locale, style),
         pictures=_pictures(compiled, locale, style) if is_illustrated else NO_PICTURES,
     )

@@ -105,6 +105,7 @@ def _poles(layout: PanelLayout) -> Iterator[str]:
 
 
 def _curve(curve: Curve, pen: Pen, layout: PanelLayout, letters: Letters) -> Iterator[str]:
+    """Yield the jumps of a curve as thin lines, then its pieces, the first with a legend."""
     for step in steps(curve, layout):
         look = f"mechc{pen.name}, line width={THIN:g}mm"
         yield rf"\addplot[{look}, no markers, forget plot] coordinates {{{_listed(step)}}};"

@@ -81,19 +81,24 @@ def _as_written(condition: Require, source: Source, lets: Container[str]) -> tup
     A condition of a used sheet has names with a prefix, that of a chain has neighbours.
     """
     written = " ".join(source.written(condition.span).split()).removeprefix("require ")
-    formulas = condition.left, condition.right
     if found := _ASKED.fullmatch(written):
-        asked = found[1] or found[2]
-        left, right = (
-            asked if symbols(f) and _mentions(asked, f, lets) else text(f) for f in formulas
-        )
-        return left, right
+        return _with_argument(condition, found[1] or found[2], lets)
+    formulas = condition.left, condition.right
     sides = [part.strip(" '\"") for part in _OPERATOR.split(written)]
     if len(sides) == len(formulas) and all(
         _mentions(side, formula, lets) for side, formula in zip(sides, formulas, strict=True)
     ):
         return sides[0], sides[1]
     return text(condition.left), text(condition.right)
+
+
+def _with_argument(condition: Require, argument: str, lets: Container[str]) -> tuple[str, str]:
+    """Return the sides of what a table or list demands, its argument as it is in the text."""
+    left, right = (
+        argument if symbols(side) and _mentions(argument, side, lets) else text(side)
+        for side in (condition.left, condition.right)
+    )
+    return left, right
 
 
 def _mentions(written: str, formula: Formula, lets: Container[str]) -> bool:

@@ -142,7 +142,7 @@ class _LoadWriter:
         for force in forces:
             if mentioned & {*force.names} and not self._met >= {*force.names}:
                 self._met.update(force.names)
-                yield _force(force, self._pose)
+                yield _paragraph_on(force, self._pose)
 
     def _sums(self, step: EquilibriumStep, equilibrium: Equilibrium) -> Iterator[Paragraph]:
         """Yield the sums of a step, and the forces that follow: from one sum, or from several."""
@@ -202,7 +202,8 @@ def _merged(paragraphs: Iterable[Paragraph]) -> Iterator[Paragraph]:
         yield replace(first, equations=(*first.equations, *more)) if others else first
 
 
-def _force(force: JointForce, pose: Pose) -> Paragraph:
+def _paragraph_on(force: JointForce, pose: Pose) -> Paragraph:
+    """Return a sentence on a force: its joint, rod or rope, and the letters of its components."""
     if force.kind == "rod" and (arc := pose.mechanism.arc_of(force.subject[0])):
         return _of_circular_slot(force, arc, pose.mechanism)
     kind = "crank" if force.kind == "pin" and force.subject[-1] else force.kind
@@ -213,6 +214,7 @@ def _force(force: JointForce, pose: Pose) -> Paragraph:
 
 
 def _of_circular_slot(force: JointForce, arc: ArcSlot, mechanism: Mechanism) -> Paragraph:
+    """Return a sentence on the force of a rod that takes the place of a circular slot."""
     (rod,), (letter,) = force.subject, force.names
     names = {"link": (arc.link,), "point": mechanism.link(rod).points[1:], "rest": (arc.centre,)}
     formulas = {"force": Symbol(letter)}

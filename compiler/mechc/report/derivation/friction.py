@@ -204,7 +204,7 @@ def _opening(
         is_mean = kind in ("first order", "iterated")
         yield from earlier.enter_sentences([_TENSIONS, _MEAN if is_mean else _SMALLER])
     if isinstance(target.of, LoadRatio):
-        yield _unit(target.of, steps, result.name)
+        yield _unit_of_forces(target.of, steps, result.name)
     elif drive is None:
         yield from earlier.enter_sentences(_loads(target, steps, pose))
 
@@ -231,7 +231,7 @@ def _loads(target: WithFriction, steps: Sequence[FrictionStep], pose: Pose) -> I
             yield Paragraph(SentenceKind.LOAD_WITH_FRICTION, formulas=formulas)
 
 
-def _unit(asked: LoadRatio, steps: Sequence[FrictionStep], result: str) -> Paragraph:
+def _unit_of_forces(asked: LoadRatio, steps: Sequence[FrictionStep], result: str) -> Paragraph:
     """Return the paragraph on the unit of forces, and on the driving load if it is met then."""
     names, drive = {"load": (asked.below,)}, Symbol(asked.above)
     if drive.name not in _met(steps):

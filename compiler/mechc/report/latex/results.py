@@ -286,8 +286,8 @@ class LatexSpeller(NamedTuple):
         return f"${points(names) if is_drawn else latex(Symbol(names), self.style)}$"
 
 
-def check(verdict: Verdict, locale: Locale, style: LatexNotation) -> str:
-    """Return the referee's line."""
+def agreement_with_statics(verdict: Verdict, locale: Locale, style: LatexNotation) -> str:
+    """Return at how many poses statics agrees, and how closely, or that it does not."""
     if not verdict.trials:
         return locale.pending
     poses = {tuple(sorted(trial.values.items())) for trial in verdict.trials}

@@ -201,11 +201,11 @@ def is_direction(result: Analysis) -> bool:
     return force is not None and force.part == "direction"
 
 
-def named(name: str) -> Formula:
-    """Return the symbol of a result by its name, and a ratio that was given none as the ratio.
+def result_symbol(name: str) -> Formula:
+    """Return the symbol of a result; of a ratio without a name of its own, the ratio.
 
     >>> from ...formula.to_text import text
-    >>> text(named("k")), text(named("M_1_over_M_2"))
+    >>> text(result_symbol("k")), text(result_symbol("M_1_over_M_2"))
     ('k', 'M_1/M_2')
     """
     above, *below = map(Symbol, split_ratio(name))
@@ -221,7 +221,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
     """Return the remarks on a result: limits, proportions, symmetries, trends, locking."""
     symbol = spelled(asked(result), spell)
     if result.same_as:
-        other = spelled(named(result.same_as), spell)
+        other = spelled(result_symbol(result.same_as), spell)
         senses = _senses(result, symbol, locale, spell)
         same = locale.same_as.format(result=symbol, other=other)
         return (*(senses if isinstance(result.target, SpeedRatio) else ()), same)
@@ -244,7 +244,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
 
 def _inverse(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> str:
     """Return the sentence on a result that is the inverse of a ratio, of which all was said."""
-    other = spelled(named(result.inverse_of), spell)
+    other = spelled(result_symbol(result.inverse_of), spell)
     trends = ((n, trend) for n, trend in (result.trends or {}).items() if _is_news([n], result))
     moves = (trend in ("rises", "falls") for _, trend in trends)
     kinds = {"limits": bool(result.zeros or result.poles), "trends": any(moves)}
@@ -254,7 +254,7 @@ def _inverse(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> s
         if is_said
     ]
     inverse = spell.relation(
-        (asked(result), quotient(ONE, named(result.inverse_of))), ("=",), False
+        (asked(result), quotient(ONE, result_symbol(result.inverse_of))), ("=",), False
     )
     return f"{inverse}: {'; '.join(said)}." if said else f"{inverse}."
 
@@ -266,7 +266,7 @@ def _as_other(
     trends = (result.trends or {}).items()
     moved = [n for n, trend in trends if trend in ("rises", "falls") and _is_news([n], result)]
     extremes = any(extent.least and not extent.is_monotone for extent in result.extents)
-    names = {"result": symbol, "other": spelled(named(other.name), spell)}
+    names = {"result": symbol, "other": spelled(result_symbol(other.name), spell)}
     names["names"] = _symbols(moved, locale, spell) if moved else ""
     sense = "opposite " if other.is_negative else ""
     kinds = {
@@ -275,7 +275,7 @@ def _as_other(
         f"{sense}extremes": extremes,
     }
     said = [locale.multiple_of[k].format_map(names) for k, is_said in kinds.items() if is_said]
-    times = product([(other.factor, 1), (named(other.name), 1)])
+    times = product([(other.factor, 1), (result_symbol(other.name), 1)])
     equation = spell.relation((asked(result), times), ("=",), False)
     return [f"{equation}: {'; '.join(said)}."] if said else [f"{equation}."]
 
@@ -287,7 +287,7 @@ def _is_news(names: Iterable[str], result: Analysis) -> bool:
 
 def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     if result.holds_as:
-        return [locale.holds_as.format(result=spelled(named(result.holds_as), spell))]
+        return [locale.holds_as.format(result=spelled(result_symbol(result.holds_as), spell))]
     held = own_conditions(result)
     return [locale.holds.format(conditions=conditions(held, spell))] if held else []
 

@@ -134,7 +134,11 @@ def order_of(
 def singular_poses(
     result: Analysis, drive: str, along: Sweep, stretch: StrokeInterval, grid: Sequence[float]
 ) -> Iterator[Singular]:
-    """Yield the singular poses of a ratio of loads on a stretch, by zeros, then by poles."""
+    """Yield where on a stretch a ratio of loads is zero, infinite or undetermined, or jumps.
+
+    First come the zeros and poles of its factors, then the zeros of sums that have none, then
+    values at which a point that it rests on is infinitely far away, then jumps.
+    """
     conditions: list[tuple[Vanishing, LimitValue]] = [(v, "0") for v in result.zeros]
     conditions += [(v, "infinite") for v in result.poles]
     known = list[float]()
@@ -142,9 +146,8 @@ def singular_poses(
         for root in roots_at(result, vanishing, along, stretch, grid):
             exact = _exact(vanishing, drive, along, root)
             known.append(root.x)
-            cause = (
-                "other" if _is_met(vanishing, result, along, stretch, root.x) else vanishing.cause
-            )
+            is_open = _is_indeterminate(vanishing, result, along, stretch, root.x)
+            cause = "other" if is_open else vanishing.cause
             yield Singular(result.name, value, cause, *root, exact)
     size = along.function(result.formula, result)
     for root in _other_zeros(size, grid, known):
@@ -155,10 +158,10 @@ def singular_poses(
     yield from jumping(result, along, grid)
 
 
-def _is_met(
+def _is_indeterminate(
     vanishing: Vanishing, result: Analysis, along: Sweep, stretch: StrokeInterval, x: float
 ) -> bool:
-    """Return whether another factor vanishes at the same value: what stands still is open there."""
+    """Return whether another factor vanishes there, too, so that what stands still is open."""
     others = (along.function(other, result) for other in vanishing.but)
     return any(order_at(other, x, stretch.high - stretch.low) == "0" for other in others)
 
