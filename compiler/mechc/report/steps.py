@@ -57,26 +57,37 @@ Reason = tuple[StepRule, tuple[str, ...]]
 
 @frozen
 class DerivationStep:
-    """One numbered step: the rule, the points and link it is applied to, what it gives.
-
-    ``subject`` are names of the drawing: for LEVER and ARM the pivot first, then the points;
-    for PROJECTION the two ends of the rod; for CIRCULAR_SLOT its radius, the pin, the link with the
-    slot and the centre, for RADIUS and TURNING_RADIUS the radius and its ends; for TRANSLATION and
-    its kinds the link and two points; for TURNING both links; for SLOT and CONTACT the pin and the
-    body, for GEAR and BELT the two pivots, for ON_ARM the arm and the two centres, for RACK the
-    pivot and the rack, for PARTING the two points; for TOGETHER the links involved; for COMPONENT
-    and its kinds the point and the load last, ``V_A_P`` being the speed of A along P, the pivot, or
-    the link and its other point, first; for HELD the coordinates.
-    ``relations`` is what the rule says; ``results`` the same solved for the new speeds. Of
-    TOGETHER ``reasons`` are the rules behind the relations, of PROJECTION what the velocities
-    of its ends are made of.
-    """
+    """One numbered step: the rule, the points and link it is applied to, what it gives."""
 
     rule: StepRule
     subject: tuple[str, ...]
+    """Names of the drawing, in an order that the rule gives.
+
+    LEVER, ARM: the pivot, then the points
+    PROJECTION: the two ends of the rod
+    CIRCULAR_SLOT: its radius, the pin, the link with the slot, the centre
+    RADIUS, TURNING_RADIUS: the radius, its ends
+    TRANSLATION and its kinds: the link, two points
+    TURNING: both links
+    SLOT, CONTACT: the pin, the body
+    GEAR, BELT: the two pivots
+    ON_ARM: the arm, the two centres
+    RACK: the pivot, the rack
+    PARTING: the two points
+    TOGETHER: the links involved
+    COMPONENT and its kinds: the pivot, or the link and its other point, then the point and the
+    load (``V_A_P`` is the speed of A along P)
+    HELD: the coordinates
+    """
+
     relations: tuple[Equation, ...]
+    """The relations that the rule states."""
+
     results: tuple[Equation, ...]
+    """The same solved for the new speeds."""
+
     reasons: tuple[Reason, ...] = ()
+    """Of TOGETHER the rules of its relations, of PROJECTION those of the velocities of its ends."""
 
 
 @frozen

@@ -168,46 +168,64 @@ the parameter itself.
 
 @frozen
 class Analysis(Result):
-    """A result as it is printed, with where it vanishes, how it moves, where friction locks.
-
-    ``proportional`` maps a parameter to the power in which the result is proportional to
-    it; ``swaps`` are pairs that may be exchanged; ``trends`` say how it moves with each
-    parameter (by a proof of the sign of the derivative, never by sampling) and ``scopes`` for
-    which values that is proved;
-    ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
-    the conditions of a result that is printed for one case, those of the earlier result
-    ``holds_as`` if it is named; of a ratio that is the ``same_as`` an earlier one no more is said,
-    and of the ``inverse_of`` one, or a ``multiple_of`` it, only how what is said of that is to be
-    read;
-    ``inside`` are the names of its ``where`` that are coefficients of a system. ``locking`` states
-    of a ratio with friction where nothing moves, ``driven`` of it whether the other loads drive
-    the motion at the default pose (None where that is not known), ``efficiency_ranges`` of an
-    efficiency what it runs through, ``extents`` of a ratio what it comes to along the stroke, in a
-    report. Where it ``fails_here`` the formula does not hold at the default pose, and the value
-    there is another form's.
-    """
+    """A result as it is printed, with where it vanishes, how it moves, where friction locks."""
 
     zeros: tuple[Vanishing, ...] = ()
     poles: tuple[Vanishing, ...] = ()
     breaks: tuple[Break, ...] = ()
     proportional: Mapping[str, int] | None = None
+    """The power in which the result is proportional to a parameter, by its name."""
+
     independent: tuple[str, ...] = ()
+    """The names that the result does not depend on."""
+
     swaps: tuple[tuple[str, str], ...] = ()
+    """Pairs of names that may be exchanged."""
+
     trends: Mapping[str, Trend] | None = None
+    """How the result moves with a parameter: by the sign of the derivative, proved, not sampled."""
+
     scopes: Mapping[str, ClaimScope] = MappingProxyType({})
+    """For which values a trend is proved."""
+
     derivatives: Mapping[str, Formula] | None = None
+    """The partial derivatives."""
+
     slopes: Mapping[str, NumericSlope] = MappingProxyType({})
+    """The same at the default pose."""
+
     holds: tuple[Require, ...] = ()
+    """The conditions of a result that is printed for one case."""
+
     holds_as: str = ""
+    """An earlier result that has the same conditions, if it is named instead of them."""
+
     same_as: str = ""
+    """An earlier ratio that this one equals: then no more is said of it."""
+
     inverse_of: str = ""
+    """A ratio of which this is the inverse: then only how what is said of that is to be read."""
+
     multiple_of: Multiple | None = None
+    """A ratio of which this is a multiple, likewise."""
+
     inside: frozenset[str] = frozenset()
+    """The names of its ``where`` that are coefficients of a system."""
+
     locking: Locking | None = None
+    """Where nothing moves, of a ratio with friction."""
+
     driven: bool | None = None
+    """Whether the other loads drive the motion at the default pose; None where it is not known."""
+
     fails_here: bool = False
+    """Whether the formula does not hold at the default pose: its value there is another form's."""
+
     efficiency_ranges: tuple[EfficiencyRange, ...] = ()
+    """The values that an efficiency runs through."""
+
     extents: tuple[Extent, ...] = ()
+    """The values of a ratio along the stroke, in a report."""
 
     @property
     def stated(self) -> tuple[Definition, ...]:

@@ -20,29 +20,18 @@ def with_reasons(own: Words, pictured: Words) -> Words:
 
 
 class Locale(NamedTuple):
-    """All words of a report in one language.
-
-    ``functions`` maps those functions to LaTeX that languages write differently, ``decimal``
-    is the sign between units and tenths; ``cyrillic`` says that the words take other fonts.
-    ``loops`` maps each kind of loop, and the sum of vectors, to the sentence on how it gives the
-    position, with ``{loop}`` for its points, ``{all}`` for the same one by one, ``{turn}`` for one
-    of the ``turns``; ``loops_again`` has shorter sentences from the second time on.
-    ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
-    first name of its subject, ``{second}``, ``{point}`` and ``{last}`` for the next, the last but
-    one and the last, ``{rest}`` for all but the first, ``{all}`` for all of them and
-    ``{joined}`` for all written as one (the rod AB); ``again`` are the shorter sentences from
-    the second time on. ``trends`` and ``causes`` map the
-    words of a result, ``joints`` those of a joint that is neither pin nor guide,
-    ``given_friction`` what is given of friction, ``sentences`` those of a derivation about forces
-    or friction, with places for its names and formulas. ``with_friction`` are headings by
-    whether a load drives, else by the way it moves, or for the first order. ``units`` maps a
-    unit's letters to the language's.
-    """
+    """All words of a report in one language."""
 
     babel: str
     functions: Mapping[str, str]
+    """Functions that languages write differently, as LaTeX."""
+
     decimal: str
+    """The sign between units and tenths."""
+
     cyrillic: bool
+    """Whether the words take other fonts."""
+
     subjects: Mapping[str, str]
     source: str
     made_by: str
@@ -73,7 +62,11 @@ class Locale(NamedTuple):
     mirror: str
     copies: str
     joints: Mapping[str, str]
+    """The words of a joint that is neither pin nor guide."""
+
     given_friction: Mapping[str, str]
+    """The words of what is given of friction."""
+
     roles: Mapping[str, str]
     """What quantities without a text of their own are."""
 
@@ -84,7 +77,15 @@ class Locale(NamedTuple):
 
     position: str
     loops: "Mapping[PositionKind, str]"
+    """How a loop of each kind, or the sum of vectors, gives the position.
+
+    A sentence has ``{loop}`` for the points of the loop, ``{all}`` for the same one by one, and
+    ``{turn}`` for one of the ``turns``.
+    """
+
     loops_again: "Mapping[PositionKind, str]"
+    """Shorter sentences, from the second time on."""
+
     introduced: Mapping[str, str]
     """What the names are that a loop finds, and which of two places a point has on a guide."""
 
@@ -93,8 +94,20 @@ class Locale(NamedTuple):
     magnitudes: str
     signed: str
     rules: Mapping[str, str]
+    """The sentence of each rule of the derivation, with places for names of its subject.
+
+    ``{first}``, ``{second}``: the first name, the next one
+    ``{point}``, ``{last}``: the last but one, the last
+    ``{rest}``, ``{all}``: all but the first, all of them
+    ``{joined}``: all written as one (the rod AB)
+    """
+
     sentences: Mapping[str, str]
+    """Sentences of a derivation about forces or friction, with places for names and formulas."""
+
     again: Mapping[str, str]
+    """Shorter sentences for rules, from the second time on."""
+
     held: str
     hence: str
 
@@ -120,6 +133,8 @@ class Locale(NamedTuple):
     """A force by its joint, rod or rope, its components, and what it is called with friction."""
 
     with_friction: Mapping[str, str]
+    """Headings: where a load drives, else by the way it moves, or for the first order."""
+
     efficiency: str
     where: str
     solve: str
@@ -128,6 +143,8 @@ class Locale(NamedTuple):
     independent: str
     swaps: str
     trends: Mapping[str, str]
+    """The words for how a result moves with a parameter."""
+
     within: Mapping[str, str]
     zero: str
     pole: str
@@ -138,6 +155,8 @@ class Locale(NamedTuple):
     absent: str
     but_where: str
     causes: Mapping[str, str]
+    """The words for why a result is zero or infinite."""
+
     states: Mapping[str, str]
     all_loads: str
     as_given: str
@@ -197,5 +216,7 @@ class Locale(NamedTuple):
     """What is between names behind "does not depend on"."""
 
     units: Mapping[str, str]
+    """The language's letters of a unit, by the unit's own."""
+
     subscripts: Mapping[str, str]
     """What the subscripts of forces and results with friction are in formulas."""

@@ -54,34 +54,43 @@ def relation_sign(sign: str) -> str:
 
 @frozen
 class LatexNotation:
-    """How functions, decimals and names are written, and which names are angles or couples.
-
-    ``texts`` has what texts of the description are in the ``language``, where they are translated,
-    and so names and the words in them;
-    ``made`` are the names made up in the document that is written by this notation, ``units``
-    the letters of units in the language, ``otherwise`` stands in a choice at the last case;
-    ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`),
-    ``subscripts`` what those that mechc gives are in the language; the user's ``own`` names keep
-    theirs; points and quantities that texts may name are ``pictured``. A prefix of ``prefixes`` is
-    written as an index, but in names that are ``plain``.
-    """
+    """How functions, decimals and names are written, and which names are angles or couples."""
 
     functions: Mapping[str, str]
     decimal: str
     made: MadeNames
+    """The names made up in the document that is written by this notation."""
+
     units: Mapping[str, str]
+    """The letters of units in the language."""
+
     otherwise: str
+    """What is at the last case of a choice."""
+
     language: str = "en"
     texts: Mapping[str, str] = MappingProxyType({})
+    """Texts of the description, names and words in them, as they are in the ``language``."""
+
     angles: frozenset[str] = frozenset()
     couples: frozenset[str] = frozenset()
     guided: frozenset[str] = frozenset()
     spellings: Mapping[str, str] = MappingProxyType({})
+    """The names that cannot be written by rule (see :func:`spellings`)."""
+
     subscripts: Mapping[str, str] = MappingProxyType({})
+    """The subscripts that mechc gives, as they are in the language."""
+
     own: frozenset[str] = frozenset()
+    """The user's own names: their subscripts stay as they are."""
+
     pictured: frozenset[str] = frozenset()
+    """Points and quantities that texts may name."""
+
     prefixes: tuple[str, ...] = ()
+    """The prefixes of names that are written as an index."""
+
     plain: frozenset[str] = frozenset()
+    """Names in which a prefix is written as it is."""
 
     def prefix(self, symbol: str) -> str:
         """Return the prefix under which something else brings a name in, '' where none does."""
