@@ -302,9 +302,9 @@ class Pipeline:
         if self.pose.mechanism.drive is None:
             return None
         from .pose.motion import motion
-        from .study.stroke.points_in_step import lagging
+        from .study.stroke.points_in_step import names_out_of_step
 
-        return motion(self.pose, lagging(self.plan))
+        return motion(self.pose, names_out_of_step(self.plan))
 
     @Stage
     def routine(self) -> "Routine":

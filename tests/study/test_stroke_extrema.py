@@ -10,7 +10,7 @@ from mechc.formula.evaluate import evaluate
 from mechc.formula.rounding import Rounding
 from mechc.formula.tree import Call, Power, Product, Symbol, number, product, total
 from mechc.study.stroke.extrema import with_values
-from mechc.study.stroke.removable import RemovablePlaces
+from mechc.study.stroke.removable import RemovableSingularities
 from small_mechanisms import slider_crank
 
 
@@ -124,7 +124,7 @@ def over_zero(formula):
         except ZeroDivisionError:
             return math.nan
 
-    return RemovablePlaces(at, lambda x: Rounding({"x": x}).of(whole).error, 0.6)
+    return RemovableSingularities(at, lambda x: Rounding({"x": x}).of(whole).error, 0.6)
 
 
 GRID = [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3]

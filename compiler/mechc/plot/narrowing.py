@@ -1,4 +1,4 @@
-"""Places brought together between which a function changes, many at once."""
+"""Where a function changes, narrowed down in many cells at once; its limits and its holes."""
 
 from collections.abc import Callable
 

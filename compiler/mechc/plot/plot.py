@@ -34,11 +34,12 @@ class FamilyValue(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """A point of interest on a curve; a station has the value of what varies there."""
+    """A marked point of a curve: an extremum, a zero, the default pose, or a station of a path."""
 
     kind: MarkKind
     at: Plane
     station: float = 0.0
+    """The value of the parameter that varies along the path, at a station."""
 
 
 class Zone(NamedTuple):

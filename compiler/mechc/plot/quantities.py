@@ -17,18 +17,20 @@ ColumnValues = Mapping[str, float | Array]
 
 
 class PlotQuantity(NamedTuple):
-    """A number that the program gives: what it measures, what it rests on, its values.
-
-    With friction it has none of a joint that is ``at_rest``: there its sides have its value.
-    """
+    """A quantity that the program computes, and that can be plotted."""
 
     name: str
     dimension: Dimension
     inputs: tuple[Input, ...]
     at: Callable[[ColumnValues], object]
+    """Its values at those of its inputs."""
+
     unit: str = ""
+    """The unit that the description gives it, '' for none."""
+
     is_result: bool = False
     at_rest: Callable[[ColumnValues], NDArray[np.bool_]] | None = None
+    """Where a joint with friction is at rest: the formula has no value there, its limits have."""
 
 
 def quantities(routine: Routine, mechanism: Mechanism) -> dict[str, PlotQuantity]:

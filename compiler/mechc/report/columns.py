@@ -18,10 +18,11 @@ CHANCE_MEETINGS = 5
 
 
 class RepeatedColumn(NamedTuple):
-    """The column of a result that another one repeats, and ``-`` where it is less it."""
+    """The column of a result whose values another column repeats, all of them or all negative."""
 
     column: StrokeColumn
     sign: str
+    """``-`` where the other column has the negative values, else ''."""
 
 
 def is_constant(index: int, stroke: Stroke) -> bool:

@@ -179,10 +179,13 @@ CONSTANT_DIGITS = 6
 
 
 class SolvedSystem(NamedTuple):
-    """The unknowns of one system, those defined by their defined names, and what is zero."""
+    """A system of equations that defines names as its unknowns."""
 
     names: tuple[str, ...]
+    """Its unknowns; one that a definition gives a name has that name."""
+
     zeros: tuple[Formula, ...]
+    """The formulas that are zero in it, one for each equation."""
 
 
 def without_minus(zero: Formula) -> tuple[Formula, Formula]:

@@ -44,31 +44,44 @@ NOTE_DIGITS = 6
 
 
 class NoteLine(NamedTuple):
-    """A formula of a sheet, with the numbers put in, and its value.
-
-    There is no ``formula`` of what is iterated.
-    ``of`` is the table or list that is asked, for what ``formula`` comes to: ``asked``. Of
-    several things that the largest or smallest is taken of, one ``decides``. There are no
-    ``numbers`` where nothing is put in, and no ``value`` where a parameter has none. A line that
-    ``is_taken`` is of a mechanism that the sheet uses: a ``result`` of that, or a name on the way
-    to one. The direction of a force that is zero ``has_no_direction``.
-    """
+    """A formula of a sheet, with the numbers put in, and its value."""
 
     name: str
     label: str
     kind: Literal["", "table", "row", "list"]
     of: str
+    """The table or list in which the value is looked up."""
+
     formula: Formula | None
+    """The formula, of a table or list the argument; None for what is found by iteration."""
+
     numbers: Formula | None
+    """The formula with the numbers put in; None where nothing is put in."""
+
     value: GivenQuantity | None
+    """The value; None where a parameter has none."""
+
     asked: GivenQuantity | None
+    """The value of the argument of a table or list."""
+
     decides: Formula | None
+    """The largest or smallest of several, where that is taken."""
+
     dimension: Dimension
     is_taken: bool = False
+    """Whether it is of a mechanism that the sheet uses: a result, or a name on the way to one."""
+
     result: Analysis | None = None
+    """The result of that mechanism, where it is one."""
+
     between: Formula | None = None
+    """The straight line between two rows of a table."""
+
     source: str = ""
+    """The source of the table."""
+
     has_no_direction: bool = False
+    """Whether it is the direction of a force that is zero."""
 
     @property
     def is_number(self) -> bool:

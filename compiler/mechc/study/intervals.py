@@ -39,33 +39,42 @@ class Bound(NamedTuple):
 class LockingInterval(NamedTuple):
     """A part of a parameter's values on which a mechanism is locked, or jammed.
 
-    None is an end at which nothing changes before the parameter's range ends; beyond that,
-    and without a range, it ends at the next dead centre at the latest. ``within`` is what of it
-    lies in the range. One is ``sampled`` where it was found by looking at many values and
-    its ends were narrowed down, not solved for.
+    Beyond the parameter's range, or without one, it ends at the next dead centre at the latest.
     """
 
     state: DriveState
     low: Bound | None
+    """The lower end; None where the parameter's range begins without a change of the state."""
+
     high: Bound | None
+    """The upper end; None where the range ends without a change of the state."""
+
     within: Range | None
+    """The part of it that lies in the parameter's range."""
+
     sampled: bool = False
+    """Whether it was found at one of many values and its ends narrowed down, not solved for."""
 
 
 @frozen
 class LockingIntervals:
-    """All such intervals of one parameter, the others at their values; its range, if it has one.
+    """All intervals of one parameter on which a mechanism is locked, or jammed.
 
-    ``unit`` is the one that was written; angles have none. Where something ``moves_in_range``
-    at each of its values, and no formula gives an end of a stretch beyond it, those are looked for
-    when they are read.
+    The other parameters have their default values.
     """
 
     parameter: str
     unit: str
+    """The unit that was written; angles have none."""
+
     range: Range | None
+    """The parameter's range, if it has one."""
+
     stretches: tuple[LockingInterval, ...] = field(on_demand=True)
+    """The intervals; where it ``moves_in_range``, looked for when they are first read."""
+
     moves_in_range: bool = False
+    """Whether it moves at every value of the range, and no formula gives an end beyond it."""
 
     @property
     def of_interest(self) -> tuple[LockingInterval, ...]:

@@ -20,7 +20,10 @@ from .variables import moved, spans, unit_of, varying
 
 
 class FrictionStudy:
-    """What is looked at in a mechanism with friction: locking, jams and efficiencies alike."""
+    """The ratios of one mechanism with and without friction, each kept for all that asks for it.
+
+    Locking, jams and efficiencies are found from the same ratios.
+    """
 
     def __init__(self, solution: FrictionSolution) -> None:
         self.solution = solution

@@ -1,10 +1,15 @@
-"""At which values in a range friction is looked at: evenly, and closely where much happens.
+"""The values in a range at which a ratio with friction is sampled: an even grid, and others.
 
-Near a dead centre k is small or large against friction, so that something stands
-there, on however short a stretch. Between values where the efficiency is lowest something
-may stand, too, and between two such something may move where least is missing. Cells in
-which the ratio without friction is not nearly straight are halved, so that no dead centres
-hide in them, be it a zero and a pole or two zeros.
+Added to the grid are values
+
+near dead centres, where k is small or large against friction, so that the mechanism is locked
+or jammed on an interval, however short;
+where the efficiency is lowest, where it may be locked or jammed, too;
+between two at which it does not move, where it comes nearest to moving;
+on either side of a jump, where a slip or a force changes its sign.
+
+Cells in which the ratio without friction is not nearly straight are halved, so that none has
+two dead centres in it, be it a zero and a pole or two zeros.
 """
 
 import math

@@ -1,13 +1,17 @@
 """Whether a mechanism moves in a pose: freely, or held by friction, or not at all.
 
-Between k while releasing and k while tightening nothing moves. If 0 lies between them the
-load alone moves nothing, which is self-locking: the ratio of the motion that the load
-drives has not the sign of k. If the motion that the drive drives has no such ratio, no
-force of the drive moves it.
+It stays at rest while the ratio of the loads lies between k with friction while releasing and k
+with friction while tightening. One of these motions is
 
-That there is none is a solution as well: the load would have to be turned round, or the
-forces that balance with less friction end before all of it is there. Where no solution is
-found at all, nothing is said.
+free: its ratio has the sign of k without friction;
+locked: the load drives it, and its ratio has not that sign. Then 0 lies between both ratios, and
+the load alone moves nothing, which is self-locking;
+jammed: the drive drives it, and its ratio has not that sign, so that no force of the drive moves
+the mechanism.
+
+That there is no such ratio is a solution as well: the load would have to be reversed, or the
+forces that balance with less friction end before all of it acts. Where no solution of the
+equations is found at all, no state is known.
 """
 
 import math

@@ -1,4 +1,4 @@
-"""What results are followed along: the drive, angles, and whatever else has a range."""
+"""The parameters that results are followed along: the drive, angles, and those with a range."""
 
 import math
 from collections.abc import Callable, Collection, Iterator, Sequence

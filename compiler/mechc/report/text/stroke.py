@@ -15,8 +15,8 @@ from ...study.stroke.stroke import (
     ChangePoint,
     Content,
     Extremum,
-    JammedInterval,
     Singular,
+    StandstillInterval,
     Stroke,
     StrokeColumn,
     StrokeInterval,
@@ -80,12 +80,12 @@ def held(row: StrokeRow, shown: WrittenStroke) -> str:
     return ", ".join(shown.says(_state(s), name=s.result) for s in found)
 
 
-def _state(found: JammedInterval) -> str:
+def _state(found: StandstillInterval) -> str:
     """Return the key of a state: what is said to drive and cannot is no self-locking."""
     return "driving" if found.driving and found.state == "locked" else found.state
 
 
-def _is_in(x: float, found: JammedInterval, near: float) -> bool:
+def _is_in(x: float, found: StandstillInterval, near: float) -> bool:
     """Return whether a value is in an interval, or so near to an end that it is that end."""
     below, above = (-near if left_out else near for left_out in found.left_out)
     return found.low - below <= x <= found.high + above
@@ -277,7 +277,7 @@ def _measured(value: float, result: str, shown: WrittenStroke, digits: int) -> s
     return shown.number(in_unit(value, unit_of(column.dimension, column.unit), digits))
 
 
-def _standstill(found: JammedInterval, shown: WrittenStroke) -> str:
+def _standstill(found: StandstillInterval, shown: WrittenStroke) -> str:
     span, left_out = _span(found.low, found.high, shown), ENDS[found.left_out]
     ends = shown.says(left_out) if left_out else ""
     names = {"name": found.result, "load": found.driving, "span": span, "ends": ends}

@@ -22,7 +22,7 @@ from ..tolerances import (
 )
 from ..variables import spans
 from .jumps import has_turns, is_on_the_stroke
-from .removable import RemovablePlaces, of_result
+from .removable import RemovableSingularities, of_result
 from .rounded import is_turning, is_zero, rounded
 from .run import SAMPLES, StrokeRun
 from .singular import order_of, roots_at
@@ -168,7 +168,7 @@ def _on_part(
     stretch: StrokeInterval,
     singular: Sequence[Singular],
     part: Sequence[float],
-    removable: RemovablePlaces,
+    removable: RemovableSingularities,
 ) -> Iterator[Extremum]:
     """Yield the extrema of a result on a part of a stretch.
 

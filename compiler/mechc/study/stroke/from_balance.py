@@ -23,7 +23,7 @@ from .rows import columns, rows
 from .run import StrokeRun, run_of
 from .singular import singular_along
 from .stretches import stretches_of, with_reached
-from .stroke import JammedInterval, Stroke, StrokeInterval
+from .stroke import StandstillInterval, Stroke, StrokeInterval
 
 Watch = Callable[[Sequence[float]], Iterable[float]]
 
@@ -109,13 +109,15 @@ def _looked(run: StrokeRun, stretches: Sequence[StrokeInterval]) -> int:
     return sum(len(run.within(stretch)) for stretch in stretches)
 
 
-def _standstills(results: Iterable[Analysis], drive: str) -> Iterator[JammedInterval]:
+def _standstills(results: Iterable[Analysis], drive: str) -> Iterator[StandstillInterval]:
     """Yield where friction lets nothing move."""
     for result in results:
         for stretch in _stretches(result, drive):
             if stretch.within:
                 left_out, driving = _left_out(stretch, *stretch.within), _driving(result)
-                yield JammedInterval(result.name, stretch.state, *stretch.within, left_out, driving)
+                yield StandstillInterval(
+                    result.name, stretch.state, *stretch.within, left_out, driving
+                )
 
 
 def _driving(result: Analysis) -> str:

@@ -23,14 +23,12 @@ LinkRates = Mapping[str, float]
 """How fast each link turns."""
 
 
-class Lagging(NamedTuple):
-    """A link that does not follow the drive, and the angle in it that changes, if one does.
-
-    The angle is named by three pins, the middle one at its vertex.
-    """
+class LinkOutOfStep(NamedTuple):
+    """A link that does not turn as the drive demands, or in which an angle changes."""
 
     link: Link
     bent: str
+    """The angle in it that changes, by three pins, the middle one at its vertex; '' for none."""
 
 
 def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
@@ -50,7 +48,7 @@ def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
         else:
             guided = _guided_anywhere(link, mechanism)
             report.add(messages.direction_stays(link.span, link.name, drive, guided))
-    return tuple(lagging.link for lagging in found)
+    return tuple(one.link for one in found)
 
 
 def _guided_anywhere(link: Link, mechanism: Mechanism) -> str:
@@ -69,10 +67,10 @@ def _is_given(link: Link, mechanism: Mechanism) -> bool:
     return False
 
 
-def out_of_step(plan: Plan) -> tuple[Lagging, ...]:
+def out_of_step(plan: Plan) -> tuple[LinkOutOfStep, ...]:
     """Return the links that do not follow the drive at its default, whether it matters or not."""
     found = at_default(plan)
-    return tuple(links_lagging(plan, *found)) if found else ()
+    return tuple(links_out_of_step(plan, *found)) if found else ()
 
 
 def at_default(plan: Plan) -> tuple[PoseSweep, float] | None:
@@ -104,7 +102,7 @@ def _is_smooth(pose: Pose, along: PoseSweep, x: float) -> bool:
     return all(abs(b - a) <= SAME_RATE * fastest for a, b in zip(near, far, strict=True))
 
 
-def links_lagging(plan: Plan, along: PoseSweep, x: float) -> Iterator[Lagging]:
+def links_out_of_step(plan: Plan, along: PoseSweep, x: float) -> Iterator[LinkOutOfStep]:
     """Yield the links that do not follow the drive at a value of it."""
     pose = plan.graph.pose
     drawn = {link.name: _turning(pose, link, along, x) for link in pose.mechanism.links}
@@ -121,7 +119,7 @@ def links_lagging(plan: Plan, along: PoseSweep, x: float) -> Iterator[Lagging]:
         fastest = max(abs(there), *map(abs, drawn.values()))
         bent = _bent(pose, link, along, x, fastest)
         if bent or abs(here - there) > SAME_RATE * fastest:
-            yield Lagging(link, bent)
+            yield LinkOutOfStep(link, bent)
 
 
 def _mentioned(pose: Pose) -> set[str]:

@@ -11,13 +11,13 @@ from ...pose.motion import paths
 from ...pose.pose import Vector, evaluate_vector
 from ..pose_sweep import PoseSweep
 from ..tolerances import DIFFERENCE, SAME_RATE, STILL
-from .in_step import at_default, links_lagging
+from .in_step import at_default, links_out_of_step
 
 PointVelocities = Mapping[str, complex]
 """How fast points move, x and y as a complex number."""
 
 
-def lagging(plan: Plan) -> frozenset[str]:
+def names_out_of_step(plan: Plan) -> frozenset[str]:
     """Return the names of links and points that do not follow the drive at its default.
 
     A rack drawn in one place stays there, whatever the gear does. Where the drive does not
@@ -26,7 +26,7 @@ def lagging(plan: Plan) -> frozenset[str]:
     found = at_default(plan)
     if found is None:
         return frozenset()
-    links = tuple(lagging.link for lagging in links_lagging(plan, *found))
+    links = tuple(one.link for one in links_out_of_step(plan, *found))
     return frozenset((*(link.name for link in links), *_points(plan, links, *found)))
 
 

@@ -52,8 +52,11 @@ def through(values: Sequence[float]) -> Cubic:
     return Cubic(even - c2, odd - c3, c2, c3)
 
 
-class RemovablePlaces:
-    """Tells of a function along a stroke at which places its formula is 0/0, and it is not."""
+class RemovableSingularities:
+    """The values of the drive at which the formula of a result is 0/0 and the result has a limit.
+
+    Each is looked at when it is asked for, and once.
+    """
 
     def __init__(self, at: RealFunction, error: RealFunction, range_: float) -> None:
         """Take the function, a bound of its rounding errors, and how far the drive moves."""
@@ -109,14 +112,14 @@ class RemovablePlaces:
         return [x for i, x in enumerate(grid) if i not in doubted or not self.is_one(x)]
 
 
-def of_result(result: Result, along: Sweep, range_: float) -> RemovablePlaces:
-    """Return such places of a result."""
+def of_result(result: Result, along: Sweep, range_: float) -> RemovableSingularities:
+    """Return the removable singularities of a result."""
 
     def error(x: float) -> float:
         form = along.form_at(result, x)
         return with_error(form.formula, form.where, along.rounding(x)).error
 
-    return RemovablePlaces(along.function(result.formula, result), error, range_)
+    return RemovableSingularities(along.function(result.formula, result), error, range_)
 
 
 def _is_odd(before: float, here: float, after: float) -> bool:

@@ -23,7 +23,7 @@ from ..pose_sweep import NO_POSE
 from ..sweep import Sweep
 from ..tolerances import SAME_SIDES, SIDE, STRAIGHT, VANISHING
 from .columns import FilledColumn, ShownQuantities, path_columns
-from .removable import RemovablePlaces
+from .removable import RemovableSingularities
 from .rounded import is_on_a_sign
 from .run import StrokeRun
 from .stretches import beyond, trouble
@@ -146,7 +146,9 @@ class StrokeSizes:
         """Return the size of a column, where its formula alone is 0/0 that from both sides."""
         if not size.undetermined:
             return size
-        value = RemovablePlaces(filled.at, partial(self._error, filled), self._run.range).value(x)
+        value = RemovableSingularities(
+            filled.at, partial(self._error, filled), self._run.range
+        ).value(x)
         return size if value is None else PrintedNumber(value)
 
     def _error(self, filled: FilledColumn, x: float) -> float:

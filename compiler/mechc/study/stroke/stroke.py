@@ -127,19 +127,18 @@ class Extremum(NamedTuple):
     value: float
 
 
-class JammedInterval(NamedTuple):
-    """A part of the stroke on which a result with friction is locked, or jammed.
-
-    It does not hold the dead centres that are ``left_out`` at its ends. ``driving`` is the load
-    below the line where that drives and nothing moves: then this is no self-locking.
-    """
+class StandstillInterval(NamedTuple):
+    """A part of the stroke on which nothing moves: a result with friction is locked, or jammed."""
 
     result: str
     state: DriveState
     low: float
     high: float
     left_out: tuple[bool, bool] = (False, False)
+    """Whether a dead centre at its lower, at its upper end is no part of it."""
+
     driving: str = ""
+    """The load below the line, where that drives and yet nothing moves: no self-locking."""
 
 
 @frozen
@@ -163,7 +162,7 @@ class Stroke:
     singular: tuple[Singular, ...]
     branches: tuple[ChangePoint, ...]
     extrema: tuple[Extremum, ...]
-    standstills: tuple[JammedInterval, ...]
+    standstills: tuple[StandstillInterval, ...]
     efficiency_ranges: tuple[tuple[str, EfficiencyRange], ...]
     defaults: Mapping[str, float]
     without: tuple[tuple[str, tuple[str, ...]], ...] = ()
