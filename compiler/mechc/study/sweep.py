@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from ..formula.rounding import beyond_rounding
-from ..formula.tree import Definitions, Formula, is_call
+from ..formula.tree import Definitions, Formula
 from ..formula.walk import symbols
 from ..friction import at_rest
 from ..model.result import Result
@@ -114,7 +114,7 @@ class Sweep(PoseSweep):
         Those without a value along it are NaN.
         """
         if id(where) not in self._senses:
-            found = [d[1] for d in where if is_call(d[1], "sense")]
+            found = at_rest.senses_in(where)
             self._senses[id(where)] = where, self.together(found, where) if found else None
         return self._senses[id(where)][1]
 
