@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from importlib import import_module
 
 import numpy as np
 import pytest
@@ -14,7 +15,6 @@ from mechc.api import SolvedMechanism
 from mechc.cli.main import main
 from mechc.compilation import Compilation
 from mechc.formula.to_text import text
-from mechc.friction import results as friction_results
 from mechc.report.languages.en import LOCALE
 from mechc.source import Source
 from mechc.study.analysis import Analysis
@@ -231,6 +231,7 @@ def test_the_form_for_elsewhere_is_made_where_the_closed_form_has_no_value(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     made: list[object] = []
+    friction_results = import_module("mechc.friction.results")  # what waits has no name to restore
     make = friction_results._elsewhere
     monkeypatch.setattr(
         friction_results, "_elsewhere", lambda *given: made.append(given) or make(*given)

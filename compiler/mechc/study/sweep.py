@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
+from ..formula.choices import senses_in
 from ..formula.rounding import beyond_rounding
 from ..formula.tree import Definitions, Formula
 from ..formula.walk import symbols
@@ -114,7 +115,7 @@ class Sweep(PoseSweep):
         Those without a value along it are NaN.
         """
         if id(where) not in self._senses:
-            found = at_rest.senses_in(where)
+            found = senses_in(formula for _, formula in where)
             self._senses[id(where)] = where, self.together(found, where) if found else None
         return self._senses[id(where)][1]
 
