@@ -11,13 +11,12 @@ value elsewhere. ``met(x, x1, x2, …)`` is x at a row, else that of the rows wh
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import TypeGuard, TypeVar
 
 from .tree import ZERO, Call, Formula, is_call, negative, number, product, quotient, total
-from .walk import walk
 
 T = TypeVar("T")
 
@@ -82,26 +81,6 @@ def chosen(parts: Sequence[T], value: Callable[[T], float]) -> T | None:
         if holds:
             return part
     return parts[-1] if len(parts) % 2 else None
-
-
-def is_sense(formula: Formula) -> bool:
-    """Return whether a formula is the sense of a slip in the terms of simpler calls.
-
-    >>> from .tree import Symbol
-    >>> is_sense(spelled_out("sense", (Symbol("v"), Symbol("a")))), is_sense(Symbol("v"))
-    (True, False)
-    """
-    match formula:
-        case Call("choose", (Call("more"), Call("sign"), otherwise)):
-            return otherwise == ZERO
-        case _:
-            return False
-
-
-def senses_in(formulas: Iterable[Formula]) -> tuple[Formula, ...]:
-    """Return the senses of slips in formulas: each by itself, or a part of coupled equations."""
-    parts = (part for formula in formulas for part in walk(formula))
-    return tuple(dict.fromkeys(part for part in parts if is_call(part, "sense")))
 
 
 def spelled_out(function: str, arguments: tuple[Formula, ...]) -> Formula | None:

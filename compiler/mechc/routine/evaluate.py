@@ -4,14 +4,14 @@ It is the oracle: every target's code must give what it gives. It computes in th
 order that :mod:`.quotient` fixes and has no tricks of its own.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache, partial, reduce
 from typing import TypeAlias, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula.choices import SIGNS, equal_within, is_sense, spelled_out
+from ..formula.choices import SIGNS, equal_within, spelled_out
 from ..formula.tree import (
     Call,
     Formula,
@@ -22,8 +22,8 @@ from ..formula.tree import (
     Product,
     Sum,
     Symbol,
+    is_call,
 )
-from ..formula.walk import walk
 from ..model.result import DrivingLoad
 from .arcs import Array
 from .newton import SolverEquations, follow
@@ -37,7 +37,6 @@ from .steps import (
     ResultStatus,
     Solve,
     Solver,
-    formulas_of,
 )
 
 Value: TypeAlias = float | Array
@@ -121,13 +120,7 @@ def _inputs(
 
 def has_senses(function: Function) -> bool:
     """Return whether joints of a function have friction whose sense is that of a slip."""
-    return any(True for step in function.steps for _ in _senses_in(step))
-
-
-def _senses_in(step: ProgramStatement) -> Iterator[Formula]:
-    """Yield the senses of slips in a step, as :func:`spelled_out` has them."""
-    parts = (part for formula in formulas_of(step) for part in walk(formula))
-    return filter(is_sense, parts)
+    return any(is_call(step.formula, "sense") for step in function.where)
 
 
 def at_rest(function: Function, values: Mapping[str, Value]) -> NDArray[np.bool_]:
@@ -135,12 +128,13 @@ def at_rest(function: Function, values: Mapping[str, Value]) -> NDArray[np.bool_
 
     The output has no friction of that joint there, and differs from what it comes to next to it.
     """
-    scope, found = _inputs(function, values), [np.asarray(False)]
+    names = {step.name for step in function.where if is_call(step.formula, "sense")}
+    scope = _inputs(function, values)
     with np.errstate(all="ignore"):
         for step in function.steps:
-            found += [compute(sense, scope) == 0 for sense in _senses_in(step)]
             _run(step, scope)
-    here = reduce(np.logical_or, found)
+    found = [scope[name] == 0 for name in names & scope.keys()]
+    here = reduce(np.logical_or, found, np.asarray(False))
     return here | at_rest(function.otherwise, values) if function.otherwise else here
 
 

@@ -5,9 +5,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from ..formula.choices import senses_in
 from ..formula.rounding import beyond_rounding
-from ..formula.tree import Definitions, Formula
+from ..formula.tree import Definitions, Formula, is_call
 from ..formula.walk import symbols
 from ..friction import at_rest
 from ..model.result import Result
@@ -115,7 +114,7 @@ class Sweep(PoseSweep):
         Those without a value along it are NaN.
         """
         if id(where) not in self._senses:
-            found = senses_in(formula for _, formula in where)
+            found = [d[1] for d in where if is_call(d[1], "sense")]
             self._senses[id(where)] = where, self.together(found, where) if found else None
         return self._senses[id(where)][1]
 
