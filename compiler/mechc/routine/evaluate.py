@@ -128,14 +128,19 @@ def at_rest(function: Function, values: Mapping[str, Value]) -> NDArray[np.bool_
 
     The output has no friction of that joint there, and differs from what it comes to next to it.
     """
-    names = {step.name for step in function.where if is_call(step.formula, "sense")}
-    scope = _inputs(function, values)
+    forms = [form for form in (function, function.otherwise) if form and has_senses(form)]
+    return reduce(np.logical_or, (_at_rest(form, values) for form in forms), np.asarray(False))
+
+
+def _at_rest(form: Function, values: Mapping[str, Value]) -> NDArray[np.bool_]:
+    """Return where a slip is zero by the steps of one form."""
+    names = {step.name for step in form.where if is_call(step.formula, "sense")}
+    scope = _inputs(form, values)
     with np.errstate(all="ignore"):
-        for step in function.steps:
+        for step in form.steps:
             _run(step, scope)
     found = [scope[name] == 0 for name in names & scope.keys()]
-    here = reduce(np.logical_or, found, np.asarray(False))
-    return here | at_rest(function.otherwise, values) if function.otherwise else here
+    return reduce(np.logical_or, found, np.asarray(False))
 
 
 def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> Array:
