@@ -1,7 +1,10 @@
 """What results come to beside a default pose in which a slip is zero for once, by hand."""
 
+import math
+
 import pytest
 
+import mechc
 from mechc.compilation import compile_source
 from mechc.formula.tree import ONE, ZERO, Call, Power, Symbol, number, product, total
 from mechc.friction.at_rest import NEAR_POSE, limits, values_nearby
@@ -48,6 +51,41 @@ def test_a_side_on_which_nothing_balances_has_no_value():
 def test_without_a_drive_the_sides_are_those_of_an_angle():
     assert found(Symbol("s"), drive="") == pytest.approx((-1.0, 1.0))
     assert found(Power(Symbol("s"), number(2)), drive="") == pytest.approx((1.0,))
+
+
+def test_a_sense_may_be_a_part_of_coupled_equations():
+    inside = Definition("d", product([(number(2), 1), (SENSE.formula, 1)]))
+    assert found(Symbol("d"), (inside,)) == pytest.approx((-2.0, 2.0))
+
+
+def test_friction_of_coupled_equations_is_the_limit_too_where_a_slot_turns_back():
+    """At 90 degrees k is 0, and k_f is found by iteration: it was 0.2024096 there."""
+    lever = mechc.loads("""
+param a = 50 mm
+param phi = 90 deg
+drive phi from 85 deg to 95 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (0 mm, -a)
+link OA
+link QSD
+OA = a @ phi
+slot A in QS
+assembly A forward
+QD = a @ perp QS
+friction contact A 0.1
+friction pins 0.1 diameter 8 mm
+force F at D along -x
+torque M on OA
+find k = M/F
+""")
+    beside = lever.evaluate(phi=[math.pi / 2 - 1e-7, math.pi / 2 + 1e-7])["k_f"]
+    k_f = lever.results["k_f"]
+    assert k_f.default == pytest.approx(sum(beside) / 2, rel=1e-8)
+    assert k_f.default != pytest.approx(lever.evaluate()["k_f"], rel=1e-6)
+    assert k_f.sides == (k_f.default,)
+    (curve,) = lever.plot(y=["k_f"]).plot.curves
+    (mark,) = (m for m in curve.marks if m.kind == "default")
+    assert mark.at.y == pytest.approx(k_f.default, rel=1e-8)
 
 
 def test_beyond_the_range_of_what_moves_a_slip_there_is_no_side():

@@ -83,6 +83,20 @@ def chosen(parts: Sequence[T], value: Callable[[T], float]) -> T | None:
     return parts[-1] if len(parts) % 2 else None
 
 
+def is_sense(formula: Formula) -> bool:
+    """Return whether a formula is the sense of a slip in the terms of simpler calls.
+
+    >>> from .tree import Symbol
+    >>> is_sense(spelled_out("sense", (Symbol("v"), Symbol("a")))), is_sense(Symbol("v"))
+    (True, False)
+    """
+    match formula:
+        case Call("choose", (Call("more"), Call("sign"), otherwise)):
+            return otherwise == ZERO
+        case _:
+            return False
+
+
 def spelled_out(function: str, arguments: tuple[Formula, ...]) -> Formula | None:
     """Return a call of this module in terms of simpler ones; None where it is simple.
 

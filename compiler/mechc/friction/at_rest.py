@@ -5,9 +5,11 @@ motion: where both sides come to one value that is the result, elsewhere the res
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ..formula.tree import is_call
+from ..formula.evaluate import evaluate
+from ..formula.tree import Formula, is_call
+from ..formula.walk import symbols, walk
 from ..model.mechanism import Efficiency, Mechanism
 from ..model.result import Result
 from ..model.values import completed, range_of
@@ -56,7 +58,7 @@ def values_nearby(result: Result, pose: Pose) -> dict[str, float]:
 
 def _sides(result: Result, pose: Pose) -> Iterator[tuple[str, float]]:
     """Yield parameters and the steps by which they move a slip that is 0 at the default pose."""
-    if not any(is_call(d.formula, "sense") for d in result.where):
+    if not senses_in(result.where):
         return
     if not (rest := slips_at_rest(result, pose_values(pose))):
         return
@@ -112,7 +114,16 @@ def one_or_both(limits: Sequence[float], same: float) -> tuple[float, ...]:
 def slips_at_rest(result: Result, values: Mapping[str, float]) -> int:
     """Return how many slips in a result are 0, so that their friction has no sense."""
     known = completed(values, result.where)
-    return sum(is_call(d.formula, "sense") and known.get(d.name) == 0 for d in result.where)
+    return sum(
+        symbols(sense) <= known.keys() and evaluate(sense, known) == 0
+        for sense in senses_in(result.where)
+    )
+
+
+def senses_in(where: Iterable[tuple[str, Formula]]) -> tuple[Formula, ...]:
+    """Return the senses of slips in definitions: each by itself, or a part of coupled equations."""
+    parts = (part for _, formula in where for part in walk(formula))
+    return tuple(dict.fromkeys(part for part in parts if is_call(part, "sense")))
 
 
 def _is_pose(pose: Pose, values: Mapping[str, float]) -> bool:

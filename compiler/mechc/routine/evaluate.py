@@ -4,14 +4,14 @@ It is the oracle: every target's code must give what it gives. It computes in th
 order that :mod:`.quotient` fixes and has no tricks of its own.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache, partial, reduce
 from typing import TypeAlias, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula.choices import SIGNS, equal_within, spelled_out
+from ..formula.choices import SIGNS, equal_within, is_sense, spelled_out
 from ..formula.tree import (
     Call,
     Formula,
@@ -22,8 +22,8 @@ from ..formula.tree import (
     Product,
     Sum,
     Symbol,
-    is_call,
 )
+from ..formula.walk import walk
 from ..model.result import DrivingLoad
 from .arcs import Array
 from .newton import SolverEquations, follow
@@ -37,6 +37,7 @@ from .steps import (
     ResultStatus,
     Solve,
     Solver,
+    formulas_of,
 )
 
 Value: TypeAlias = float | Array
@@ -120,7 +121,13 @@ def _inputs(
 
 def has_senses(function: Function) -> bool:
     """Return whether joints of a function have friction whose sense is that of a slip."""
-    return any(is_call(step.formula, "sense") for step in function.where)
+    return any(True for step in function.steps for _ in _senses_in(step))
+
+
+def _senses_in(step: ProgramStatement) -> Iterator[Formula]:
+    """Yield the senses of slips in a step, as :func:`spelled_out` has them."""
+    parts = (part for formula in formulas_of(step) for part in walk(formula))
+    return filter(is_sense, parts)
 
 
 def at_rest(function: Function, values: Mapping[str, Value]) -> NDArray[np.bool_]:
@@ -134,13 +141,12 @@ def at_rest(function: Function, values: Mapping[str, Value]) -> NDArray[np.bool_
 
 def _at_rest(form: Function, values: Mapping[str, Value]) -> NDArray[np.bool_]:
     """Return where a slip is zero by the steps of one form."""
-    names = {step.name for step in form.where if is_call(step.formula, "sense")}
-    scope = _inputs(form, values)
+    scope, found = _inputs(form, values), [np.asarray(False)]
     with np.errstate(all="ignore"):
         for step in form.steps:
+            found += [compute(sense, scope) == 0 for sense in _senses_in(step)]
             _run(step, scope)
-    found = [scope[name] == 0 for name in names & scope.keys()]
-    return reduce(np.logical_or, found, np.asarray(False))
+    return reduce(np.logical_or, found)
 
 
 def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> Array:
