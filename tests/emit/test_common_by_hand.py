@@ -47,12 +47,14 @@ def test_c_fills_the_array_with_what_another_one_gave_among_that():
 
 def test_python_takes_what_is_common_by_its_name():
     space = TargetNames(PYTHON_WORDS, {*ARGUMENTS.values()})
-    found = in_python.taken(FIRST, (SQUARE,), (V,), ARGUMENTS, space, {})
+    found = in_python.body_after_common(FIRST, (SQUARE,), (V,), ARGUMENTS, space, {})
     assert [(line.name, line.code) for line in found.body] == [
         ("values", "_values_0(a, b_)"),
         ("v", 'values["u"]*values["u"]'),
     ]
-    alone = in_python.taken(None, (SUM,), (U,), ARGUMENTS, TargetNames(PYTHON_WORDS), {})
+    alone = in_python.body_after_common(
+        None, (SUM,), (U,), ARGUMENTS, TargetNames(PYTHON_WORDS), {}
+    )
     assert [(line.name, line.code) for line in alone.body] == [("u", "a + b_")]
 
 

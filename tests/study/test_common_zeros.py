@@ -76,7 +76,7 @@ def conditions(description):
     """Return the conditions of zeros and poles, each with those it leaves out."""
     (result,) = Compilation(Source("m.mech", description)).results
     limits = (*result.zeros, *result.poles)
-    return {text(limit.factor): {text(other) for other in limit.but} for limit in limits}
+    return {text(limit.factor): {text(other) for other in limit.except_where} for limit in limits}
 
 
 @pytest.mark.parametrize(("coupler", "is_flat"), [(130, True), (129, False)])

@@ -74,7 +74,7 @@ def test_nothing_that_is_said_is_refuted_and_no_zero_is_left_out():
 def test_a_sum_of_which_it_is_not_known_what_it_shares_is_stated_all_the_same():
     """With l4 = l5 the sum vanishes at a root of the sine across the line; elsewhere it counts."""
     mechanism, (k,) = results(Chain(80074, equal=True).text)
-    assert len([v for v in k.zeros if v.but]) == 1
+    assert len([v for v in k.zeros if v.except_where]) == 1
     assert list(refuted(mechanism, k, 80074)) == list(missing(mechanism, k, 80074)) == []
 
 
@@ -104,7 +104,7 @@ def test_two_roots_of_a_double_angle_have_two_causes():
 @pytest.mark.parametrize("seed", [910196, 910228])
 def test_a_pole_that_a_sum_hides_for_the_lengths_given_is_stated_with_the_sum(seed):
     mechanism, (k,) = results(Chain(seed, equal=True).text)
-    assert any(v.but for v in k.poles)
+    assert any(v.except_where for v in k.poles)
     assert list(refuted(mechanism, k, seed)) == list(missing(mechanism, k, seed)) == []
 
 
@@ -290,8 +290,8 @@ find k = P/F
 def test_a_pole_that_a_zero_meets_at_the_default_values_only_is_stated_with_it():
     """With beta = 0 both sin(alpha + beta) and sin(alpha - beta) are sin(alpha)."""
     mechanism, (k,) = results(BY_CHANCE)
-    assert {text(f) for v in k.poles for f in v.but} == {"sin(alpha + beta)"}
-    assert {text(f) for v in k.zeros for f in v.but} == {"sin(alpha - beta)"}
+    assert {text(f) for v in k.poles for f in v.except_where} == {"sin(alpha + beta)"}
+    assert {text(f) for v in k.zeros for f in v.except_where} == {"sin(alpha - beta)"}
     assert list(refuted(mechanism, k)) == list(missing(mechanism, k)) == []
 
 
@@ -314,6 +314,6 @@ def test_a_place_at_which_a_zero_meets_a_pole_for_the_values_given_is_stated_wit
     Each by itself has another root along alpha, by which it was proved to make k vanish.
     """
     mechanism, (k,) = results(BY_CHANCE_ELSEWHERE)
-    meeting = [v for v in (*k.zeros, *k.poles) if v.at and v.at[0] == "beta" and v.but]
+    meeting = [v for v in (*k.zeros, *k.poles) if v.at and v.at[0] == "beta" and v.except_where]
     assert [text(v.factor) for v in meeting] == ["cos(alpha - beta)", "sin(alpha + beta - pi/6)"]
     assert list(refuted(mechanism, k)) == []

@@ -842,7 +842,7 @@ def test_equal_links_that_fold_make_no_pole_and_no_jumps_of_rounding(tmp_path):
     (tmp_path / "press.mech").write_text(folded, encoding="utf-8")
     mechanism = mechc.load(tmp_path / "press.mech")
     (pole,) = [p for p in mechanism.results["k"].poles if symbols(p.factor) == {"beta_BK1"}]
-    assert [written(factor) for factor in pole.but] == ["sin(T_alpha + beta_BK1)"]
+    assert [written(factor) for factor in pole.except_where] == ["sin(T_alpha + beta_BK1)"]
     found = mechanism.stroke(3)
     assert [s.value for s in found.singular] == ["infinite", "undetermined"]
     places = [math.degrees(s.drive) for s in found.singular]

@@ -119,8 +119,10 @@ def centres(tree: ast.File, mechanism: Mechanism, result: Analysis, pose: Values
     for limits, others, names in ((zeros, poles, (below, above)), (poles, zeros, (above, below))):
         for limit in limits:
             if limit.at is not None and limit.cause != "other":
-                against = limit.but + tuple(other.factor for other in others)
-                yield from _centre(tree, mechanism, limit._replace(but=against), names, pose)
+                against = limit.except_where + tuple(other.factor for other in others)
+                yield from _centre(
+                    tree, mechanism, limit._replace(except_where=against), names, pose
+                )
 
 
 def _centre(

@@ -286,7 +286,7 @@ def _left_out(mechanism: Mechanism, result: Analysis, limit: Vanishing) -> Itera
 
 def meets_another(limit: Vanishing, there: Values) -> bool:
     """Return whether one of the conditions holds that a limit leaves out."""
-    known = (f for f in limit.but if symbols(f) <= there.keys())
+    known = (f for f in limit.except_where if symbols(f) <= there.keys())
     return any(abs(evaluate(f, there)) < NEAR for f in known)
 
 
@@ -311,7 +311,7 @@ def _roots_refuted(
             if own is None or own < 0.5 or _is_open(result, curve, x, high - low):
                 continue
             beside = [curve(x + part * NEAR * (high - low)) for part in (-0.1, 0.0, 0.1)]
-            if any(abs(evaluate(f, at)) < NEAR for f in limit.but for at in beside):
+            if any(abs(evaluate(f, at)) < NEAR for f in limit.except_where for at in beside):
                 continue
             found = _order_at(result, curve, x, high - low)
             if found is None or _is_rounding(result, curve, x, high - low):

@@ -78,25 +78,29 @@ def conjugates(parts: int) -> tuple[int, ...]:
 
 
 def _images(ring: Ring, p: Polynomial, units: Sequence[int]) -> Images:
-    """Return a sum under each choice of ζ, its exponents counted from the lowest."""
+    """Return a sum's images over the prime field, one for each choice of the root of unity ζ.
+
+    ``units`` are these choices, as powers of the first ζ. Laurent polynomials have negative
+    exponents and images have none: each variable's are counted from the lowest one in the sum.
+    """
     exponents = {key: ring.exponents(key) for key in p.terms}
     lowest = tuple(min(column) for column in zip(*exponents.values(), strict=True))
-    places = {
+    exponents_from_lowest = {
         key: tuple(e - least for e, least in zip(own, lowest, strict=True))
         for key, own in exponents.items()
     }
-    return Images([_image(ring, p, places, unit) for unit in units], lowest)
+    return Images([_image(ring, p, exponents_from_lowest, unit) for unit in units], lowest)
 
 
-def _image(ring: Ring, p: Polynomial, places: Mapping[int, Monomial], unit: int) -> Poly:
-    """Return a sum under one choice of ζ: i is ζ turned by as many parts as a quarter has."""
+def _image(ring: Ring, p: Polynomial, exponents: Mapping[int, Monomial], unit: int) -> Poly:
+    """Return a sum under one choice of ζ, in which i is ζ to the power of a quarter's parts."""
     image: Poly = {}
     for key, (re, im) in p.terms.items():
-        constant, place = ring.constant(key), places[key]
+        constant, monomial = ring.constant(key), exponents[key]
         turned = re * _root(ring, unit * constant)
         turned += im * _root(ring, unit * (constant + ring.parts))
-        image[place] = (image.get(place, 0) + turned) % PRIME
-    return {place: value for place, value in image.items() if value}
+        image[monomial] = (image.get(monomial, 0) + turned) % PRIME
+    return {monomial: value for monomial, value in image.items() if value}
 
 
 def _root(ring: Ring, power: int) -> int:

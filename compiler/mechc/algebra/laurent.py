@@ -147,7 +147,9 @@ class Ring(Exponents):
     def divide(self, terms: Terms, trig: Trig) -> Terms | None:
         """Return the quotient by twice a sine or cosine, or None if it does not divide.
 
-        The exponent along the angle's first symbol falls at each step and is bounded
+        Long division by z^u ± z^-u: each term of the highest exponents, divided by z^u, is one of
+        the quotient; what z^-u makes of that is taken off the rest, and so on until nothing
+        is left. The exponent along the angle's first symbol falls at each step and is bounded
         below, so this ends.
         """
         by = self.binomial(trig)
@@ -157,12 +159,13 @@ class Ring(Exponents):
         rest, quotient = dict(terms), Terms()
         while rest:
             for key, value in self._top(rest).items():
-                k, value = self._lowered(key, value, by)
-                if self.exponent(k, field) < lowest or len(quotient) == MOST_QUOTIENT_TERMS:
+                quotient_key, quotient_value = self._lowered(key, value, by)
+                is_too_low = self.exponent(quotient_key, field) < lowest
+                if is_too_low or len(quotient) == MOST_QUOTIENT_TERMS:
                     return None
-                quotient[k] = value
-                re, im = value
-                accumulate(rest, *self.shifted(k, (-re, -im), by.down, by.down_power))
+                quotient[quotient_key] = quotient_value
+                re, im = quotient_value
+                accumulate(rest, *self.shifted(quotient_key, (-re, -im), by.down, by.down_power))
         return self.unique(quotient)
 
     def _top(self, terms: Terms) -> Terms:

@@ -68,7 +68,11 @@ def _pairs(product: Product) -> Iterator[_Pair]:
 
 
 def _ratio(whole: Trig, part: Trig) -> Product | None:
-    """Return sin(n·u)/sin(u) for n = 2, 4, 8, 16 and 3, None if that is not what both are."""
+    """Return sin(n·u)/sin(u) for n = 2, 4, 8, 16 and 3, None if that is not what both are.
+
+    With n = 2^m it is 2^m · cos u · cos 2u · cos 4u · … · cos(n/2·u), and sin 3u/sin u is
+    1 + 2 cos 2u. A cosine is the sine of an angle of a quarter turn more.
+    """
     n = Fraction(whole.angle.terms[0][1]) / part.angle.terms[0][1]
     if n not in _DOUBLINGS and n != 3:
         return None

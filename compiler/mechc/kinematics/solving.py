@@ -30,19 +30,23 @@ class Memory:
         self._point = ModularPoint()
         self._drives, self._spins = drives, spins
         self._residues: dict[int, tuple[int, ...]] = {}
-        self._met: dict[tuple[int, int], Product] = {}
+        self._by_residue: dict[tuple[int, int], Product] = {}
 
     def note(self, unknown: int, speeds: SpeedFactors) -> None:
         """Remember a solved speed."""
         residues = tuple(s.residue(self._point) for s in speeds)
         self._residues[unknown] = residues
         for drive, residue, speed in zip(self._drives, residues, speeds, strict=True):
-            metres = self._metres(unknown, drive)
-            self._met.setdefault((metres, residue), speed)
-            self._met.setdefault((metres, -residue % PRIME), -speed)
+            power = self._power_of_length(unknown, drive)
+            self._by_residue.setdefault((power, residue), speed)
+            self._by_residue.setdefault((power, -residue % PRIME), -speed)
 
     def recall(self, form: LinearForm, unknown: int) -> SpeedFactors | None:
-        """Return the speed that a relation gives, if all its parts are known already."""
+        """Return the earlier speeds that equal what a relation gives for an unknown, by each drive.
+
+        The relation is solved at the random point, and earlier speeds are looked up by the value
+        there. None where one of them has not been found before.
+        """
         lead = form[unknown].residue(self._point)
         if not lead:
             return None
@@ -53,13 +57,13 @@ class Memory:
                 sums = [s - part * r for s, r in zip(sums, self._residues[u], strict=True)]
         inverse = pow(lead, -1, PRIME)
         values = zip(self._drives, (s * inverse % PRIME for s in sums), strict=True)
-        known = [self._known(self._metres(unknown, drive), value) for drive, value in values]
+        known = [self._known(self._power_of_length(unknown, d), value) for d, value in values]
         return tuple(k for k in known if k is not None) if None not in known else None
 
-    def _known(self, metres: int, residue: int) -> Product | None:
-        return self._met.get((metres, residue)) if residue else ZERO
+    def _known(self, power: int, residue: int) -> Product | None:
+        return self._by_residue.get((power, residue)) if residue else ZERO
 
-    def _metres(self, unknown: int, drive: int) -> int:
+    def _power_of_length(self, unknown: int, drive: int) -> int:
         """Return the power of a length that a speed is by that of a drive."""
         return (drive in self._spins) - (unknown in self._spins)
 

@@ -23,7 +23,7 @@ _UNDERSCORE = pattern("_")
 
 def read_translations(file: ast.File, report: Report) -> Translations:
     """Return the translations of a description; report those of texts that it does not have."""
-    known = texts(file) | words(file.statements)
+    known = texts(file) | translatable_names(file.statements)
     first: dict[tuple[str, str], Span] = {}
     found: dict[str, dict[str, str]] = {}
     for line in every(file, ast.Translate):
@@ -50,7 +50,7 @@ def texts(file: ast.File) -> Set[str]:
     return {text for statement in file.statements for text in _texts(statement) if text}
 
 
-def words(statements: Iterable[ast.Statement]) -> Set[str]:
+def translatable_names(statements: Iterable[ast.Statement]) -> Set[str]:
     """Return the names that statements give, and the words in them: ``dP_far``, ``far``.
 
     A name that something else brings in has a prefix, and stands as it does there.

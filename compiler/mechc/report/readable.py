@@ -122,8 +122,9 @@ class ReadableFormulas:
 
     def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
         """Return a condition under which a formula is zero or infinite as the formula has it."""
-        factor, *but = (self._condition(f, formula) for f in (limit.factor, *limit.but))
-        return limit._replace(factor=factor, but=tuple(but))
+        conditions = (limit.factor, *limit.except_where)
+        factor, *others = (self._condition(f, formula) for f in conditions)
+        return limit._replace(factor=factor, except_where=tuple(others))
 
     def _condition(self, factor: Formula, formula: Formula) -> Formula:
         """Return a factor that is zero as a formula has it, else as it would be written alone."""

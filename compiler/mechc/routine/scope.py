@@ -77,17 +77,20 @@ class ProgramScope:
         """Return whether a name is a result's: a formula's own one, where a condition has it."""
         if name == owner:
             return self.results[name].target is None and name not in self._loads
-        return not self._is_load(owner, name)
+        return not self._means_the_load(owner, name)
 
-    def _is_load(self, owner: str, name: str) -> bool:
-        """Return whether a find's name is, in another result, the load and not its solution.
+    def _means_the_load(self, owner: str, name: str) -> bool:
+        """Return whether the name of a find stands in ``owner`` for its load, not its solution.
 
-        It is in a find, and in those that a let uses; what a let itself names is in its ``where``.
+        ``find P`` makes P both. In the formulas of finds it is the load; a let means the solution,
+        but has that in its ``where``, with the formulas of finds it needs: any P left is a load.
         """
+        is_find = self.results[name].target is not None
         result = self.results.get(owner)
-        if result is None or self.results[name].target is None:
+        if result is None or not is_find:
             return False
-        return result.target is not None or bool(self._where[owner])
+        is_in_find, has_finds_in_where = result.target is not None, bool(self._where[owner])
+        return is_in_find or has_finds_in_where
 
     def formula(self, key: DefinitionKey) -> Formula:
         """Return the formula of a definition."""

@@ -44,14 +44,14 @@ class Vanishing(NamedTuple):
     ``cause`` is a dead centre or a load perpendicular to its point's velocity. It is
     ``outside`` where it is proved that the factor does not vanish within the ranges given, and
     ``absent`` where that is proved for the values given of what has no range. Where one of
-    ``but`` is zero, too, it is not known what the result does.
+    ``except_where`` is zero, too, it is not known what the result does.
     """
 
     factor: Formula
     at: tuple[str, Formula] | None
     cause: Cause
     outside: bool = False
-    but: tuple[Formula, ...] = ()
+    except_where: tuple[Formula, ...] = ()
     within: tuple[Formula, ...] = ()
     period: Formula | None = None
     absent: bool = False

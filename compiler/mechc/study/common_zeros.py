@@ -53,24 +53,28 @@ class CommonZeros:
             return frozenset().union(*(pair - {sine} for pair in self._pairs if sine in pair))
         factors = self._value.factors.items()
         others = [f for f, e in factors if isinstance(f, Trig) and e * side < 0]
-        return frozenset().union(*self._vanishing_together([sine, *others])) - {sine}
+        return frozenset().union(*self._common_zeros([sine, *others])) - {sine}
 
     @cached_property
     def _pairs(self) -> Set[frozenset[Trig]]:
         """Return the pairs on either side of the line that vanish together."""
         factors = self._value.factors
         found = [f for f in factors if isinstance(f, Trig)]
-        pairs = self._vanishing_together(found) if len({factors[f] > 0 for f in found}) > 1 else ()
+        on_both_sides = len({factors[f] > 0 for f in found}) > 1
+        pairs = self._common_zeros(found) if on_both_sides else ()
         return frozenset(p for p in pairs if len({factors[f] > 0 for f in p}) > 1)
 
-    def _vanishing_together(self, sines: Sequence[Trig]) -> Set[frozenset[Trig]]:
-        """Return the pairs of sines that vanish together, along what moves first."""
+    def _common_zeros(self, sines: Sequence[Trig]) -> Set[frozenset[Trig]]:
+        """Return the pairs of sines that pass zero at one value of the parameter that moves first.
+
+        Sines of given angles alone are not looked at: their zeros are known from their formulas.
+        """
         name = next((n for n in moving_first(self._mechanism) if n in self._given), "")
         ends = self._ends(name) if name else None
         if ends is None or len(sines) < 2 or all(map(self._is_given, sines)):
             return frozenset()
         formulas = [f.formula() for f in sines]
-        pairs = vanishing_together(formulas, self._defined, self._given, name, ends)
+        pairs = pairs_of_common_zeros(formulas, self._defined, self._given, name, ends)
         return frozenset(frozenset((sines[i], sines[j])) for i, j in pairs)
 
     def _is_given(self, factor: Trig) -> bool:
@@ -83,7 +87,7 @@ class CommonZeros:
         return range_of(name, self._mechanism) or turn
 
 
-def vanishing_together(
+def pairs_of_common_zeros(
     factors: Sequence[Formula],
     defined: Mapping[str, Formula],
     given: Values,
@@ -97,7 +101,7 @@ def vanishing_together(
     >>> from ..formula.tree import Call, Symbol, number, product
     >>> t, twice = Symbol("t"), product([(number(2), 1), (Symbol("t"), 1)])
     >>> sines = [Call("sin", (t,)), Call("sin", (Symbol("u"),)), Call("cos", (t,))]
-    >>> list(vanishing_together(sines, {"u": twice}, {}, "t", (-1.0, 2.0)))
+    >>> list(pairs_of_common_zeros(sines, {"u": twice}, {}, "t", (-1.0, 2.0)))
     [(0, 1), (1, 2)]
     """
     own = {_place(i): factor for i, factor in enumerate(factors)}

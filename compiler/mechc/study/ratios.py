@@ -18,6 +18,15 @@ from .sweep import Sweep
 from .tolerances import SAME_EFFICIENCY
 from .variables import moved, spans, unit_of, varying
 
+IdealKey = tuple[str, bool, str, frozenset[str]]
+"""A ratio without friction: its name, whether friction is idle, the parameter, loads of no size."""
+
+RealKey = tuple[str, Sense]
+"""A ratio with friction: the name of the one without, and the sense of motion."""
+
+SweepKey = tuple[str, frozenset[str]]
+"""A parameter, and the loads without a size."""
+
 
 class FrictionStudy:
     """The ratios of one mechanism with and without friction, each kept for all that asks for it.
@@ -30,10 +39,10 @@ class FrictionStudy:
         self.mechanism = solution.plan.graph.pose.mechanism
         self._code = PoseCode(solution.plan)
         self._ideals: dict[str, IdealRatio] = {}
-        self._ideals_along: dict[tuple[str, bool, str, frozenset[str]], IdealAlong] = {}
-        self._ratios: dict[tuple[str, Sense], FrictionRatios] = {}
-        self._moving: dict[tuple[str, Sense, str], RatioAlong] = {}
-        self._sweep: dict[tuple[str, frozenset[str]], Sweep] = {}
+        self._ideals_along: dict[IdealKey, IdealAlong] = {}
+        self._ratios: dict[RealKey, FrictionRatios] = {}
+        self._moving: dict[tuple[RealKey, str], RatioAlong] = {}
+        self._sweep: dict[SweepKey, Sweep] = {}
 
     def ideal(self, of: LoadRatio | LoadForm) -> Result:
         """Return the ratio without friction."""
@@ -47,20 +56,21 @@ class FrictionStudy:
     def moving(self, of: LoadRatio | LoadForm, sense: Sense, parameter: str) -> RatioAlong | None:
         """Return a ratio along a parameter; None where loads without a size are in it."""
         ideal, real = self.ideal(of), self.real(of, sense)
-        key = ideal.name, sense, parameter
+        key = (ideal.name, sense), parameter
         loads = sizes(self.mechanism, real)
         if loads is None:
             return None
         if key not in self._moving:
-            ratios = self._both(key[:2], ideal, real)
+            ratios = self._both(ideal, real, sense)
             self._moving[key] = ratios.along(self._ideal_along(ratios, parameter, loads))
         return self._moving[key]
 
-    def _both(self, key: tuple[str, Sense], ideal: Result, real: FrictionResult) -> FrictionRatios:
+    def _both(self, ideal: Result, real: FrictionResult, sense: Sense) -> FrictionRatios:
         """Return the ratio without friction and the one with it, the same for all parameters."""
+        key = ideal.name, sense
         if key not in self._ratios:
             known = self._ideals.setdefault(ideal.name, IdealRatio(ideal))
-            self._ratios[key] = FrictionRatios(known, real, key[1])
+            self._ratios[key] = FrictionRatios(known, real, sense)
         return self._ratios[key]
 
     def _ideal_along(

@@ -73,7 +73,7 @@ def _each_place_once(found: Iterable[Vanishing]) -> tuple[Vanishing, ...]:
 
 def _holds_with(condition: Vanishing, other: Vanishing) -> bool:
     """Return whether a sine vanishes only where another one does, of the same cause."""
-    if (condition.cause, condition.but) != (other.cause, other.but):
+    if (condition.cause, condition.except_where) != (other.cause, other.except_where):
         return False
     one, another = (to_product(each.factor) for each in (condition, other))
     trigs = [f for product in (one, another) for f in product.factors if isinstance(f, Trig)]

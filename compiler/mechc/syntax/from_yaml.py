@@ -70,14 +70,18 @@ def read_section(
 ) -> Iterator[ast.Statement]:
     """Yield the statements of a section; an entry with an error is reported and left out."""
     for subject, entry in items(section, name, value, report):
-        for one in several(entry, section):
-            # Each of several values of one name is a statement with a place of its own.
-            span = subject.span.to(one.span) if subject and one is entry else one.span
+        for single in several(entry, section):
+            span = _place_of(single, entry, subject)
             try:
-                for statement in statements(section, subject, one, span, report.source):
+                for statement in statements(section, subject, single, span, report.source):
                     yield with_beside(statement, section, name, root, report.source)
             except Fault as fault:
                 note(slips.decimal_comma(fault.diagnostic, report.source), report)
+
+
+def _place_of(single: YamlNode, entry: YamlNode, subject: Scalar | None) -> Span:
+    """Return where a statement stands: with its name, if no other value of the entry shares it."""
+    return subject.span.to(single.span) if subject and single is entry else single.span
 
 
 def with_beside(

@@ -71,7 +71,7 @@ VANISHING: JsonKind[Vanishing] = record(
     member("kind", "What happens there.", one_of(*CAUSES), _cause),
     member("still", "What stands still at a dead centre.", optional(TEXT), _still),
     member("moving", "What moves there.", optional(TEXT), _moving),
-    member("but", "Unless one of these is 0, too.", list_of(FORMULA), lambda v: v.but),
+    member("but", "Unless one of these is 0, too.", list_of(FORMULA), lambda v: v.except_where),
     member("outside", "Proved: not within the ranges given.", TRUTH, lambda v: v.outside),
 )
 

@@ -115,7 +115,7 @@ def common_context(
     own = {i.name: arguments[i.name] for i in common.inputs}
     space = TargetNames(RESERVED, set(own.values()))
     ends = [*map(Symbol, common.outputs)]
-    body, _, printer = taken(common.before, common.steps, ends, own, space, solvers)
+    body, _, printer = body_after_common(common.before, common.steps, ends, own, space, solvers)
     return CommonContext(
         common_name(common),
         list(own.values()),
@@ -124,23 +124,28 @@ def common_context(
     )
 
 
-class TakenLines(NamedTuple):
-    """Lines of a function, its ends in their terms, and the printer of these."""
+class FunctionBody(NamedTuple):
+    """Lines of a function, its ends by what these assign, and the printer that knows the names."""
 
     body: list[Assignment]
     ends: list[Formula]
     printer: PythonPrinter
 
 
-def taken(
+def body_after_common(
     common: Common | None,
     steps: Sequence[ProgramStatement],
     ends: Sequence[Formula],
     own: Mapping[str, str],
     space: TargetNames,
     solvers: Mapping[Solver, str],
-) -> TakenLines:
-    """Return lines that take what is common and add steps to it, for many poses at once."""
+) -> FunctionBody:
+    """Return the lines of a function that calls what it has in common with others, then its steps.
+
+    ``common`` is what is called, if there is any; ``steps`` are left for this function, and
+    ``ends`` the formulas that its result is made of. ``own`` has the variable of each input;
+    further variables get names of ``space`` that are free. All is written for arrays of poses too.
+    """
     names, body = dict(own), list[Assignment]()
     if common:
         values = space.claim("values")
@@ -155,7 +160,7 @@ def taken(
         _pair(s, printer) if isinstance(s, CosineAndSine) else line(s, used, solvers, printer)
         for s in found.statements
     ]
-    return TakenLines(body, found.formulas, printer)
+    return FunctionBody(body, found.formulas, printer)
 
 
 def _pair(pair: CosineAndSine, printer: PythonPrinter) -> Assignment:

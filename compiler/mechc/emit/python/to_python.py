@@ -37,9 +37,9 @@ from .pairs import PAIR
 from .pose import (
     CommonContext,
     PoseContext,
+    body_after_common,
     common_context,
     pose_contexts,
-    taken,
 )
 from .printer import KEYWORDS, MODULES, RESERVED
 from .solvers import SolverContext, solver_context, solver_names
@@ -232,7 +232,9 @@ def _function(
     space = TargetNames(RESERVED, {*own.values(), *([names[other.name]] if other else [])})
     result = space.claim(function.name if function.name not in own else "result")
     steps = function.own if function.common else function.steps
-    body, ends, printer = taken(function.common, steps, _ends(function), own, space, solvers)
+    body, ends, printer = body_after_common(
+        function.common, steps, _ends(function), own, space, solvers
+    )
     unit = si_unit(function.dimension)
     return FunctionContext(
         name=names[function.name],

@@ -5,7 +5,7 @@ parameter by another word; it is handed on as one.
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal
 
 from ...diagnostics import uses as uses_messages
@@ -36,6 +36,9 @@ MOST_LET_PARTS = 200
 
 DefiningStatement = ast.Param | ast.Let | ast.Taken
 """A line that gives a quantity its value or its formula."""
+
+Leaf = ast.Symbol | ast.Number
+"""What a formula is made of in the end."""
 
 _ENDS: tuple[Literal[">=", "<="], ...] = (">=", "<=")
 """How a quantity stands to the ends of its range."""
@@ -283,7 +286,7 @@ def _note_turns(
     if dimension not in (FREQUENCY, FLOW):
         return
     names = [leaf.name for leaf in _leaves(let) if isinstance(leaf, ast.Symbol)]
-    units = _units(let, lines)
+    units = _units(_leaves(let), lines)
     if not units & TURNING or units & SAID or PI in names:
         return
     shown = let.unit.text if let.unit else ""
@@ -303,45 +306,29 @@ def note_speed(speed: ast.Expr, lines: Mapping[str, DefiningStatement], scope: N
 
     With pi in it, as in ``2*pi*n``, it has been brought to radians.
     """
-    units = _units_in(speed, lines)
+    units = _units(leaves(speed), lines)
     counted = sorted(units & TURNS - {"1/s"})
     if counted and not units & (TURNING | SAID | {PI}):
         scope.report.add(messages.speed_in_radians(speed.span, counted[0]))
 
 
-def _units_in(expression: ast.Expr, lines: Mapping[str, DefiningStatement]) -> set[str]:
-    """Return the units written in an expression, pi, and those in the lines of what it rests on."""
-    units = set[str]()
-    for leaf in leaves(expression):
-        match leaf:
+def _units(leaves: Iterable[Leaf], lines: Mapping[str, DefiningStatement]) -> set[str]:
+    """Return the units of a formula's leaves, pi, and those in the lines of what it rests on."""
+    units, seen, waiting = set[str](), set[str](), [*leaves]
+    while waiting:
+        match waiting.pop():
             case ast.Number(unit=unit):
                 units.add(unit)
             case ast.Symbol(name) if name in lines:
-                units |= _units(lines[name], lines)
+                waiting += _leaves(lines[name]) if name not in seen else ()
+                seen.add(name)
             case ast.Symbol(name) if name == PI:
                 units.add(PI)
     return units
 
 
-def _units(line: DefiningStatement, lines: Mapping[str, DefiningStatement]) -> set[str]:
-    """Return the units written in a line, pi, and those in the lines of what it rests on."""
-    units, seen, waiting = set[str](), set[str](), [line]
-    while waiting:
-        line = waiting.pop()
-        if isinstance(line, ast.Taken) or line.name.text in seen:
-            continue
-        seen.add(line.name.text)
-        for leaf in _leaves(line):
-            match leaf:
-                case ast.Number(unit=unit):
-                    units.add(unit)
-                case ast.Symbol(name) if name in lines:
-                    waiting.append(lines[name])
-                case ast.Symbol(name) if name == PI:
-                    units.add(PI)
-    return units
-
-
-def _leaves(line: ast.Param | ast.Let) -> Iterator[ast.Symbol | ast.Number]:
-    written = expressions_in(line.value) if line.value is not None else ()
+def _leaves(line: DefiningStatement) -> Iterator[Leaf]:
+    """Yield the symbols and numbers of what a line gives; none of what a used mechanism gives."""
+    value = None if isinstance(line, ast.Taken) else line.value
+    written = expressions_in(value) if value is not None else ()
     return (leaf for expression in written for leaf in leaves(expression))

@@ -16,7 +16,7 @@ from ..constants import leaves as leaves_of
 from ..mechanism import Parameter
 from ..result import Result, UsedSolution
 from ..statements import declared, is_sheet
-from ..translations import spoken, words
+from ..translations import spoken, translatable_names
 from . import mechanism_statements
 from .composed import Used
 
@@ -159,7 +159,7 @@ def translated(
     if line.text in labels(brought):
         own = {"text": line.text, **spoken(line)}
         yield replace(line, **{k: f"{v} ({used.mechanism.name})" for k, v in own.items()})
-    if line.text in sources or line.text in words(brought):
+    if line.text in sources or line.text in translatable_names(brought):
         yield line
 
 

@@ -53,8 +53,8 @@ def _of_tied(target: LoadRatio, terms: Sequence[PowerTerm], owners: Owners) -> F
         powers[owner].append((to_product(term.times) * factor, term.speed))
     if not all(powers.values()):
         return None
-    (above, often), (below, seldom) = (_summed(powers[name]) for name in asked)
-    share = number(Fraction(seldom) / Fraction(often))
+    (above, above_number), (below, below_number) = (_sum_and_number(powers[n]) for n in asked)
+    share = number(below_number / above_number)
     if all(map(has_minus, getattr(above, "terms", (above,)))):
         return product([(share, 1), (quotient(below, negative(above)), 1)])
     if any(map(has_minus, getattr(below, "terms", (below,)))):
@@ -68,7 +68,7 @@ def _turned(whole: Formula) -> Formula:
     return total(positive_first(map(negative, terms)))
 
 
-def _summed(powers: Sequence[tuple[Product, Formula]]) -> tuple[Formula, Fraction]:
+def _sum_and_number(powers: Sequence[tuple[Product, Formula]]) -> tuple[Formula, Fraction]:
     """Return a sum of powers without the number that all of its terms have, and that number."""
     content = content_of(times.coefficient for times, _ in powers)
     terms = [

@@ -144,7 +144,7 @@ class SpeedSteps:
             for relation in relations:
                 if is_of_wheels(relation, self._graph):
                     yield from self._angular(relation, block.unknowns)
-            yield self._together(relations, block.unknowns)
+            yield self._simultaneous_step(relations, block.unknowns)
 
     def _single(self, relation: Relation, unknown: int) -> Iterator[DerivationStep]:
         """Yield the lever steps that a relation needs first, then the relation itself."""
@@ -201,11 +201,17 @@ class SpeedSteps:
             (link, pole, point),
         )
 
-    def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> DerivationStep:
+    def _simultaneous_step(
+        self, relations: Sequence[Relation], unknowns: Sequence[int]
+    ) -> DerivationStep:
+        """Return the step that solves several relations for as many unknown speeds at once.
+
+        In its equations each unknown is named by itself, not by the speed of a point.
+        """
         for unknown in unknowns:
             self._names[unknown] = self._notation.of_itself(unknown)
         equations = tuple(map(self._as_it_is, relations))
-        results = tuple(e for u in unknowns for e in self._ratios.show(u) or (self._solved(u),))
+        results = tuple(equation for u in unknowns for equation in self._solution(u))
         links = tuple(dict.fromkeys(n for r in relations for n in involved(r, self._graph)))
         reasons = tuple(dict.fromkeys(rule_of(r, self._graph) for r in relations))
         return DerivationStep(StepRule.TOGETHER, links, equations, results, reasons)
@@ -216,6 +222,11 @@ class SpeedSteps:
         names = {**self._names, **turning}
         said = seen_from_arm(relation, self._graph, names)
         return said or Equation(in_written_unknowns(relation.form, names), ZERO)
+
+    def _solution(self, unknown: int) -> tuple[Equation, ...]:
+        """Return an unknown's named ratio to the drive, if it has one; else the unknown itself."""
+        named_ratio = self._ratios.show(unknown)
+        return named_ratio or (self._solved(unknown),)
 
     def _solved(self, unknown: int) -> Equation:
         return Equation(self._names[unknown].symbol, self._by_drives(unknown))

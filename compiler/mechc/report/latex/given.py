@@ -181,7 +181,7 @@ def _vector(tail: str, head: str) -> str:
 
 def scheme(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> tuple[str, ...]:
     """Return the mechanism in sentences: joints, links, loads, symmetry."""
-    sentences = [*_parts(mechanism, locale, style), *_joints(mechanism, locale, style)]
+    sentences = [*_parts(mechanism, locale, style), *_pivots_and_sliders(mechanism, locale, style)]
     sentences += _links(mechanism, locale, style)
     sentences += joint_sentences(mechanism, locale, style)
     links = {link.name for link in mechanism.links}
@@ -211,7 +211,8 @@ def _parts(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> Iterat
         yield locale.joints["part"].format(part=symbol, name=title, there=there, here=here)
 
 
-def _joints(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> list[str]:
+def _pivots_and_sliders(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> list[str]:
+    """Return a sentence on all pivots of a named point, and one on each slider and its guide."""
     pivots = _listed((p.point for p in mechanism.each(Pivot) if split_points(p.point)), locale)
     sentences = [locale.pivots.format(points=pivots)] if pivots else []
     for slider in mechanism.each(Slider):

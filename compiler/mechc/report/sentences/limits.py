@@ -31,7 +31,7 @@ def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Ite
                 over = looked[0] if group[0].absent and len(looked) == 1 else passed
                 yield _bare(template, symbol, group, over, locale, spell)
             else:
-                yield from (_limit(template, symbol, v, locale, spell) for v in group)
+                yield from (_particular(template, symbol, v, locale, spell) for v in group)
 
 
 def _in_reach(limit: Vanishing, passed: Extent | None) -> Vanishing:
@@ -40,7 +40,7 @@ def _in_reach(limit: Vanishing, passed: Extent | None) -> Vanishing:
     That is where it is outside the ranges given, or no place is found in the one looked at.
     """
     is_nowhere = limit.outside or (passed and not limit.at)
-    return limit._replace(but=()) if limit.but and is_nowhere else limit
+    return limit._replace(except_where=()) if limit.except_where and is_nowhere else limit
 
 
 def _likeness(limit: Vanishing) -> object:
@@ -87,7 +87,7 @@ def _is_long(limit: Vanishing) -> bool:
 
 def _is_bare(limit: Vanishing) -> bool:
     """Return whether there is nothing but the condition and its cause."""
-    return not (limit.at or limit.but or limit.outside)
+    return not (limit.at or limit.except_where or limit.outside)
 
 
 def _bare(
@@ -109,15 +109,18 @@ def _bare(
     return f"{said}."
 
 
-def _limit(template: str, symbol: str, limit: Vanishing, locale: Locale, spell: Speller) -> str:
+def _particular(
+    template: str, symbol: str, limit: Vanishing, locale: Locale, spell: Speller
+) -> str:
+    """Return the sentence on one condition: where it holds, what it excepts, and its cause."""
     said = template.format(result=symbol, condition=_zero(limit.factor, spell))
     if limit.at:
         said += ", " + locale.when.format(condition=_places(*limit.at, limit, locale, spell))
     if limit.outside:
         said += ", " + locale.out_of_ranges
-    if limit.but:
-        but = alternatives([_zero(factor, spell) for factor in limit.but], locale)
-        said += ", " + locale.but_where.format(conditions=but)
+    if limit.except_where:
+        conditions = alternatives([_zero(f, spell) for f in limit.except_where], locale)
+        said += ", " + locale.but_where.format(conditions=conditions)
     return f"{_with_cause(said, limit, locale, spell)}."
 
 

@@ -162,7 +162,7 @@ def _is_indeterminate(
     vanishing: Vanishing, result: Analysis, along: Sweep, stretch: StrokeInterval, x: float
 ) -> bool:
     """Return whether another factor vanishes there, too, so that what stands still is open."""
-    others = (along.function(other, result) for other in vanishing.but)
+    others = (along.function(other, result) for other in vanishing.except_where)
     return any(order_at(other, x, stretch.high - stretch.low) == "0" for other in others)
 
 
