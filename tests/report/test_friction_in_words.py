@@ -17,7 +17,7 @@ from mechc.report.sentences.speller import LoadWords
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from paths import LIBRARY
-from small_mechanisms import follower
+from small_mechanisms import RACK_ON_PIN, follower
 
 
 def docstring(code: str, name: str) -> str:
@@ -67,6 +67,17 @@ def test_a_report_shows_the_structure_of_what_is_iterated():
     assert r"\left|r+Dn\right|" in shown
     assert shown.count("Newton") == 1
     assert r"\operatorname{sgn}" not in shown
+
+
+def test_equations_that_are_short_are_printed_for_either_sense_of_motion():
+    """The page gave n_O as a number that nobody could check."""
+    found = compile_source(Source("rack.mech", RACK_ON_PIN))
+    shown = render(found.derivation, found.mechanism)
+    ahead, back = (part.split() for part in re.findall(r"n_O(?:_hold)? = √.*", shown))
+    assert " ".join(ahead) == "n_O = √(cos² φ + (sin φ + r_O/L + ρ · n_O / L)²)"
+    assert " ".join(back) == "n_O_hold = √(cos² φ + (ρ · n_O_hold / L − (sin φ + r_O/L))²)"
+    assert "|r + " not in shown
+    assert shown.count("Newton") == 1
 
 
 def test_json_gives_the_conditions_of_a_case():

@@ -325,3 +325,20 @@ def slotted_lever() -> str:
 
 def _text(*lines: str) -> str:
     return "\n".join((*lines, ""))
+
+
+RACK_ON_PIN = """
+param L = 300 mm
+param phi = 30 deg
+drive phi
+pivot O at (0 mm, 0 mm)
+slider A along 0 deg
+link OB
+OB = L @ phi
+rack A on O radius 20 mm
+friction pins 0.1 diameter 12 mm
+force P at B along perp OB
+force F at A along 180 deg
+find k = P/F
+"""
+"""How hard the pin is loaded depends on the drive P, and that on friction in the pin."""

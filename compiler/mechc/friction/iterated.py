@@ -14,15 +14,25 @@ from ..algebra.product import ONE as UNIT
 from ..algebra.product import ZERO, Product, Sum
 from ..algebra.sums import add, canonical
 from ..formula.operations import count_operations
-from ..formula.tree import ONE, Formula, Symbol, negative, number, product, total
+from ..formula.tree import (
+    ONE,
+    Formula,
+    Symbol,
+    negative,
+    number,
+    product,
+    total,
+)
+from ..formula.tree import ZERO as NONE
 from ..model.mechanism import Mechanism
 from ..model.result import Definition, Result
 from ..named import NamedTuple
-from ..power.joint_forces import size_of
+from ..power.joint_forces import size_of, size_of_two
 from ..power.magnitudes import even, magnitude
 from .closed_form import DefinedFormula, PrintedFormula, power, readable
-from .friction_pairs import FrictionPair, LoadedPair, radii, reduced
+from .friction_pairs import Component, FrictionPair, LoadedPair, radii, reduced
 from .naming import ForceSizes
+from .normal_forces import scaled
 from .sign_conditions import conditions
 from .signs import is_root
 from .signs_at_a_pose import SignsAtOnePose
@@ -231,22 +241,31 @@ def exact(
     )
 
 
-def step_of(loaded: Sequence[LoadedPair]) -> FrictionStep:
+def step_of(
+    loaded: Sequence[LoadedPair], equations: Iterable[tuple[Formula, Formula]] = ()
+) -> FrictionStep:
     """Return the step by which coupled equations are solved: of no pairs there are none.
 
-    Of a single pair, whose friction no other changes, it has the name.
+    Of a single pair, whose friction no other changes, it has the name. ``equations`` are those
+    that are short enough to be read.
     """
     if not loaded:
         return FrictionStep("unloaded")
-    return FrictionStep("iterated", loaded[0].pair.name if len(loaded) == 1 else "")
+    alone = loaded[0].pair.name if len(loaded) == 1 else ""
+    return FrictionStep("iterated", alone, equations=tuple(equations))
 
 
 def exact_case(
-    ideal: Result, loaded: Sequence[LoadedPair], sizes: ForceSizes, signs: SignsAtOnePose
+    ideal: Result,
+    loaded: Sequence[LoadedPair],
+    factor: Product,
+    sizes: ForceSizes,
+    signs: SignsAtOnePose,
 ) -> PrintedFormula:
     """Return the exact load with a name for each slip, its sign that of a pose.
 
-    So has the load without friction, where it is long. A slip that is zero adds nothing.
+    So has the load without friction, where it is long. A slip that is zero adds nothing. The load
+    is ``factor`` times the one whose unit speed the slips are of.
     """
     labels, positive = radii(p.pair for p in loaded), positive_at(signs)
 
@@ -254,16 +273,56 @@ def exact_case(
         return Symbol(signs.define(name, size.formula()))
 
     parts = []
-    for p in loaded:
+    for p in scaled(loaded, factor):
         if size := positive(p.slip_of_one):
             slip = _slip_called(p.pair, size, called)
-            factor = named_factor(p.pair, labels, signs).formula()
-            parts.append(Added(factor, sizes.of(p.pair), slip, sizes.sense * p.times))
+            named = named_factor(p.pair, labels, signs).formula()
+            parts.append(Added(named, sizes.of(p.pair), slip, sizes.sense * p.times))
     is_long = count_operations(ideal.formula) > AS_SHORT_AS_NAME
     without, known = (Symbol(ideal.name), (_called_so(ideal),)) if is_long else (ideal.formula, ())
     where = (*known, *signs.definitions, *sizes.definitions)
-    steps = (step_of(loaded),)
+    steps = (step_of(loaded, _equations(loaded, sizes, signs)),)
     return PrintedFormula(_sum(without, parts), where, conditions(signs), steps, sizes.positive)
+
+
+LONGEST_EQUATIONS = 60
+"""Operations of the coupled equations that are printed: those of four pins fill half a page."""
+
+
+def _equations(
+    loaded: Sequence[LoadedPair], sizes: ForceSizes, signs: SignsAtOnePose
+) -> tuple[tuple[Formula, Formula], ...]:
+    """Return n = |r + Dn| of each pair, by components; nothing if that is long.
+
+    The signs are those of a pose. A pair that does not slip has no friction: its force is not
+    asked for.
+    """
+    labels, frictions = radii(p.pair for p in loaded), {}
+    for p in loaded:
+        if against := signs.note_sign("", p.slip).scaled(-sizes.sense):
+            factor = against * named_factor(p.pair, labels, signs)
+            frictions[p.pair.name] = factor, sizes.of(p.pair)
+    slipping = [p for p in loaded if p.pair.name in frictions]
+    forces = [_size_under(frictions, p.components) for p in slipping]
+    if sum(map(count_operations, forces)) > LONGEST_EQUATIONS:
+        return ()
+    return tuple(zip((sizes.of(p.pair) for p in slipping), forces, strict=True))
+
+
+def _size_under(
+    frictions: Mapping[str, tuple[Product, Formula]], components: Sequence[Component]
+) -> Formula:
+    """Return the size of a force, each friction by its factor and the force that presses there."""
+    sides = []
+    for component in components:
+        made = (
+            product([((part * frictions[name][0]).formula(), 1), (frictions[name][1], 1)])
+            for name, part in component.by.items()
+            if name in frictions
+        )
+        sides.append(total([component.ideal.formula(), *made]))
+    x, y = (*sides, NONE)[:2]
+    return size_of_two(x, y)
 
 
 AS_SHORT_AS_NAME = 8

@@ -226,7 +226,7 @@ def _exactly(
     if closed and stands(closed):
         return replace(closed, elsewhere=elsewhere)
     found = elsewhere()
-    way = partial(exact_case, ideal, added, sizes())
+    way = partial(exact_case, ideal, loaded, case.factor, sizes())
     found = replace(found, case=problem.default.printed(way, endings))
     if closed and not stands(found):
         return replace(closed, elsewhere=elsewhere)

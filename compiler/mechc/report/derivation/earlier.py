@@ -118,8 +118,13 @@ class EarlierSteps:
 
 
 def _forces(steps: Iterable[FrictionStep]) -> Iterator[tuple[Symbol, Formula]]:
-    """Yield the unknowns that steps solve for, and what they are."""
+    """Yield the unknowns that steps solve for, and what they are.
+
+    Forces that are iterated have names of their own in each result already.
+    """
     for step in steps:
+        if step.kind == "iterated":
+            continue
         named = {definition.name for definition in step.defined}
         for left, right in step.equations:
             if isinstance(left, Symbol) and left.name not in named and right != ZERO:

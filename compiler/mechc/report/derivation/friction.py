@@ -51,8 +51,9 @@ _OF_JOINTS: Mapping[tuple[StepKind, bool], SentenceKind] = {
 _AT_PINS = ("internal", "external", "parallel", "single")
 
 _CHANGES = product([(Symbol("D"), 1), (Symbol("n"), 1)])
+_SIZES = {"sizes": Symbol("n")}
 _ITERATED = {
-    "sizes": Symbol("n"),
+    **_SIZES,
     "parts": Symbol("r"),
     "changes": _CHANGES,
     "whole": Call("abs", (total([Symbol("r"), _CHANGES]),)),
@@ -286,13 +287,13 @@ def _paragraphs(
 ) -> Iterator[Paragraph]:
     """Yield the paragraphs of a step; the load that is asked for is left to the result."""
     new = earlier.enter(step)
+    sides = ([geometry_first(side, earlier.turns) for side in pair] for pair in step.equations)
+    equations = [Equation(_ordered(left), right) for left, right in sides]
     if new is None:
         if step.kind == "iterated":
             again = (SentenceKind.ITERATED_AGAIN, SentenceKind.ITERATED_ALONE_AGAIN)
-            yield Paragraph(again[bool(step.body)], formulas=_ITERATED)
+            yield Paragraph(again[bool(step.body)], tuple(equations), formulas=_SIZES)
         return
-    sides = ([geometry_first(side, earlier.turns) for side in pair] for pair in step.equations)
-    equations = [Equation(_ordered(left), right) for left, right in sides]
     solved = {driving(asked)} if step.kind in _BESIDE_THE_LOAD else {driving(asked), Symbol(result)}
     found = [e for e in equations if e.left not in solved] or equations[:1]
     if step.kind == "first order":
@@ -342,14 +343,22 @@ def _of_step(
         case "first order" | "straight" | "ropes" | "pressing":
             raise AssertionError("what earlier steps have said counts there")
         case "iterated":
-            kinds = (SentenceKind.ITERATED, SentenceKind.ITERATED_ALONE)
-            yield Paragraph(kinds[bool(step.body)], formulas=_ITERATED)
+            yield _iterated(equations, bool(step.body))
         case "unloaded":
             yield Paragraph(SentenceKind.UNLOADED)
         case "added" | "rod part" | "normal part" | "across" | "balance":
             yield _of_joint(step, equations, of_rod)
         case _:
             assert_never(step.kind)
+
+
+def _iterated(equations: Sequence[Equation], is_alone: bool) -> Paragraph:
+    """Return the equations of forces that are iterated, in words where they are long."""
+    if equations:
+        kinds = (SentenceKind.ITERATED_EQUATIONS, SentenceKind.ITERATED_EQUATION)
+        return Paragraph(kinds[is_alone], tuple(equations), formulas=_SIZES)
+    kinds = (SentenceKind.ITERATED, SentenceKind.ITERATED_ALONE)
+    return Paragraph(kinds[is_alone], formulas=_ITERATED)
 
 
 def _by_name(equations: Sequence[Equation]) -> tuple[Equation, ...]:

@@ -150,6 +150,12 @@ WORDS = {
     "across": "Forces on {point} across its guide:",
     "balance": "The force on {link} at {point} balances all other forces on it:",
     "unloaded": "Nothing presses the joints that have friction, so friction changes nothing.",
+    "iterated equation": "Here the friction depends on a force that it changes itself. For this "
+    "force {sizes} equilibrium gives an equation, which Newton’s method solves, starting from the "
+    "ideal force:",
+    "iterated equations": "Here each friction force depends on the others. For the forces "
+    "{sizes} at the joints equilibrium gives equations, which Newton’s method solves, starting "
+    "from the ideal forces:",
     "iterated again": "The forces {sizes} follow likewise.",
     "iterated alone again": "The force {sizes} follows likewise.",
     "iterated alone": "Here the friction depends on a force that it changes itself. With {sizes} "
