@@ -35,11 +35,12 @@ def canonical(product: Product) -> Product:
     spend(2 + len(product.factors))
     if product.is_canonical or not _may_cancel(product):
         return product
-    return _cancelled(product.written())
+    return _cancel_until_stable(product.written())
 
 
 @kept
-def _cancelled(written: WrittenProduct) -> Product:
+def _cancel_until_stable(written: WrittenProduct) -> Product:
+    """Return a product after all rules of cancelling, one after another until none changes it."""
     product, before = as_product(written), None
     while product is not before:
         spend(10 * len(product.factors))
@@ -122,13 +123,14 @@ def _without_divisors(product: Product) -> Product:
 
     Measure: the width of the sum, which that of the sine, or half of it, is taken from.
     """
-    while (less := next(_divided(product), None)) is not None:
+    while (less := next(_with_divided_sum(product), None)) is not None:
         spend(10 * len(product.factors))
         product = less
     return product
 
 
-def _divided(product: Product) -> Iterator[Product]:
+def _with_divided_sum(product: Product) -> Iterator[Product]:
+    """Yield a product with a sum divided by a sine or cosine that is across the line from it."""
     for whole, e in product.factors.items():
         if isinstance(whole, Sum) and sum(map(laurent.size, whole.terms)) <= DIVIDED:
             opposite = [f for f, d in product.factors.items() if isinstance(f, Trig) and e * d < 0]

@@ -77,7 +77,7 @@ def resting_on_sheet(mechanism: Mechanism, solved: UsedSolution) -> tuple[Result
     wholes: dict[str, _Whole] = {}
     found: dict[str, Result] = {}
     for name in order:
-        before = _together([wholes[n] for n in sorted(needs[name] & wholes.keys())])
+        before = _union([wholes[n] for n in sorted(needs[name] & wholes.keys())])
         if name in lets:
             wholes[name] = _with(before, name, lets[name], lets[name])
         else:
@@ -86,7 +86,8 @@ def resting_on_sheet(mechanism: Mechanism, solved: UsedSolution) -> tuple[Result
     return tuple(found[name] for name in results)
 
 
-def _together(parts: list[_Whole]) -> _Whole:
+def _union(parts: list[_Whole]) -> _Whole:
+    """Return the definitions and conditions of several parts as those of one."""
     return _Whole(
         {n: f for part in parts for n, f in part.here.items()},
         {n: f for part in parts for n, f in part.elsewhere.items()},

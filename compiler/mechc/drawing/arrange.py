@@ -39,7 +39,7 @@ def below_each_other(drawings: Sequence[Drawing]) -> Drawing:
     """Return drawings one below the other, each of them a row or several; no title."""
     moved = list(_lowered(drawings))
     between = [height for drawing in moved for height in (*drawing.between, drawing.low.y)]
-    return replace(_together(moved), between=tuple(between[:-1]))
+    return replace(_as_one(moved), between=tuple(between[:-1]))
 
 
 def joined(drawings: Sequence[Drawing]) -> Drawing:
@@ -49,7 +49,7 @@ def joined(drawings: Sequence[Drawing]) -> Drawing:
     """
     moved = list(_lowered(drawings))
     between = tuple(height for drawing in moved for height in drawing.between)
-    return replace(_together(moved), between=between)
+    return replace(_as_one(moved), between=between)
 
 
 def _lowered(drawings: Iterable[Drawing]) -> Iterator[Drawing]:
@@ -68,14 +68,15 @@ def _beside(drawings: Sequence[Drawing], level: LabelLevel) -> Drawing:
         height = top if level == "top" else (drawing.low.y + top) / 2
         moved.append(_moved(drawing, Plane(right - drawing.low.x, -height)))
         right = moved[-1].high.x
-    return _together(moved)
+    return _as_one(moved)
 
 
 def _width(drawing: Drawing) -> float:
     return drawing.high.x - drawing.low.x
 
 
-def _together(drawings: Sequence[Drawing]) -> Drawing:
+def _as_one(drawings: Sequence[Drawing]) -> Drawing:
+    """Return the drawing of all shapes and labels of several, without titles, as they lie."""
     shapes = tuple(shape for drawing in drawings for shape in drawing.shapes)
     labels = tuple(label for drawing in drawings for label in drawing.labels)
     low = Plane(min(d.low.x for d in drawings), min(d.low.y for d in drawings))
@@ -84,6 +85,7 @@ def _together(drawings: Sequence[Drawing]) -> Drawing:
 
 
 def _moved(drawing: Drawing, by: Plane) -> Drawing:
+    """Return a drawing shifted on the paper with all that it has."""
     return replace(
         drawing,
         shapes=tuple(_moved_shape(shape, by) for shape in drawing.shapes),

@@ -77,7 +77,7 @@ def steps_to(
     steps: list[EquilibriumStep] = []
     found: ForceNames = frozenset()
     while load not in found:
-        taken = _single(load, sums, found, avoided) or _together(sums, found)
+        taken = _single(load, sums, found, avoided) or _simultaneous_sums(sums, found)
         if not taken:
             return ()
         names = sorted(frozenset().union(*(c.unknown for c in taken)) - found)
@@ -95,7 +95,7 @@ def _single(
     return ([c for c in fit if load in c.unknown] or wanted or fit)[:1]
 
 
-def _together(sums: Sequence[CandidateSum], found: ForceNames) -> list[CandidateSum]:
+def _simultaneous_sums(sums: Sequence[CandidateSum], found: ForceNames) -> list[CandidateSum]:
     """Return the fewest sums that give as many forces, the shortest of those."""
     for size in range(2, MOST_SUMS_TOGETHER + 1):
         few = [c for c in sums if 1 < len(c.unknown - found) <= size]

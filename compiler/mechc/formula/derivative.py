@@ -68,7 +68,7 @@ def _by(name: str) -> Differentiate:
 def _along(changes: Mapping[str, Formula]) -> Differentiate:
     """Return the slope where names change by so much, found once of parts that formulas share."""
 
-    def found(formula: Formula) -> Formula:
+    def slope_of(formula: Formula) -> Formula:
         match formula:
             case Number() | Pi():
                 return ZERO
@@ -92,7 +92,7 @@ def _along(changes: Mapping[str, Formula]) -> Differentiate:
             case _:
                 assert_never(formula)
 
-    slope = Once(found)
+    slope = Once(slope_of)
     return slope
 
 

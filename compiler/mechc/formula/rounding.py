@@ -251,10 +251,14 @@ def called(function: str, arguments: Sequence[Rounded]) -> Rounded:
         return multiplied([above, powered(below, Rounded(-1.0, 0.0))])
     if function == "atan2" and all(argument.is_zero for argument in arguments):
         raise ZeroDivisionError
-    return _moved(function, arguments)
+    return _with_moved_arguments(function, arguments)
 
 
-def _moved(function: str, arguments: Sequence[Rounded]) -> Rounded:
+def _with_moved_arguments(function: str, arguments: Sequence[Rounded]) -> Rounded:
+    """Return a function's value; its error is how far it goes as each argument has its own error.
+
+    Raises ValueError where it has no value.
+    """
     here = [argument.value for argument in arguments]
     value = _called(function, here)
     if not math.isfinite(value):

@@ -195,6 +195,7 @@ def _join(left: str, right: str) -> str:
 
 
 def _product_text(formula: Product, level: int) -> str:
+    """Return a product on one line, ``2*a/(3*b)``; in brackets where ``level`` asks for them."""
     coefficient, above, below = split_fraction(formula)
     half, above = _with_roots(diameters_behind(above))
     double, below = _with_roots(diameters_behind(below))

@@ -85,7 +85,7 @@ def _block_speeds(
     are_long = all(len(speed) == 1 and is_long(speed[0]) for speed in whole)
     if not are_long or len(relations) > MOST_ORDERED_UNKNOWNS:
         return whole
-    return _together([r.form for r in relations], block.unknowns, speeds)
+    return _by_determinants([r.form for r in relations], block.unknowns, speeds)
 
 
 def _single(
@@ -104,7 +104,7 @@ def _has_names(value: Product) -> bool:
     return any(isinstance(factor, BoundSum) for factor in value.factors)
 
 
-def _together(
+def _by_determinants(
     forms: Sequence[LinearForm], unknowns: Sequence[int], speeds: Mapping[int, SpeedFactors]
 ) -> list[SpeedFactors]:
     """Return the unknowns of several relations by Cramer's rule, nothing being multiplied out."""

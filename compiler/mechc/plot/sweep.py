@@ -44,6 +44,10 @@ class PlotRange:
         return np.zeros_like if is_rounding(values, self.low, self.high) else values
 
     def _values(self, quantity: PlotQuantity, setting: Sequence[FamilyValue]) -> ArrayFunction:
+        """Return a quantity on a grid of the parameter, its limits where a slip is zero.
+
+        Raises an error where something that it needs has no value.
+        """
         given = {**self.values, **{value.axis.name: value.value for value in setting}}
         lacking = [i.name for i in quantity.inputs if i.name not in (*given, self.x.name)]
         if lacking:

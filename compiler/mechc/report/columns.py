@@ -82,6 +82,7 @@ def legend(
 def _meaning(
     about: SpeedOf | AngleAt, words: Mapping[str, str], symbol: str, spell: Spelled
 ) -> str:
+    """Return the sentence that says what a column's name means: a speed, or an angle at a pin."""
     match about:
         case SpeedOf(_, kind, of, load):
             said = words[f"means {kind}"]

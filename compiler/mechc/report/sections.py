@@ -96,7 +96,7 @@ def _results(
 ) -> Iterator[Section]:
     """Yield the sections of results, each with what was not stated in an earlier one."""
     lines = own_lines(mechanism, derivation.results)
-    for explanation, results in _grouped(derivation, _found(derivation, mechanism)):
+    for explanation, results in _by_explanation(derivation, _found(derivation, mechanism)):
         earlier.equations(explanation)
         rested = earlier.new_definitions(
             [Symbol(d.name) for d in explanation.where], explanation.where
@@ -269,9 +269,10 @@ def _found(derivation: "Derivation", mechanism: Mechanism) -> list[Analysis]:
     return [r for r in found if r.name not in given] or found
 
 
-def _grouped(
+def _by_explanation(
     derivation: "Derivation", results: Sequence[Analysis]
 ) -> "Iterator[tuple[Explanation, Sequence[Analysis]]]":
+    """Yield each explanation with the results that it is of; one without any is by itself."""
     owners = {
         name: explanation for explanation in derivation.explanations for name in explanation.results
     }

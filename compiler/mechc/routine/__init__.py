@@ -10,5 +10,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"angle_offsets", "together"}
+    SELDOM = {"angle_offsets", "common_steps"}
     __getattr__ = waiting(__name__, SELDOM)

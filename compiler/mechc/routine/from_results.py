@@ -14,7 +14,7 @@ from ..model.result import FrictionResult, Result
 from ..model.statements import is_sheet
 from ..pose.pose import ClosedLoop
 from ..units import TORQUE, si_unit
-from . import together
+from . import common_steps
 from .companions import Companions
 from .functions import AskedResult, asked, checks, functions
 from .lengths import with_roots
@@ -119,7 +119,7 @@ def _functions(
 ) -> Iterator[Function]:
     """Yield the function of each result; many long ones share their steps."""
     long = [one for one in listed if len(one.result.where) > FEWEST_SHARED_DEFINITIONS]
-    found = together.together(long, scope, names) if long else {}
+    found = common_steps.with_common_steps(long, scope, names) if long else {}
     others = (one for one in listed if one.result.name not in found)
     found |= _separate(others, scope, names)
     return (found[one.result.name] for one in listed)

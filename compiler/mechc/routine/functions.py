@@ -139,7 +139,7 @@ def computation(
     group: Sequence[AskedResult], scope: ProgramScope, names: Iterable[str]
 ) -> Computation:
     """Return the steps of several results: what these rest on is worked out once for all."""
-    known = scope.together({one.result.name: one.needed for one in group})
+    known = scope.shared_definitions({one.result.name: one.needed for one in group})
     called = [known.names[one.result.name] for one in group]
     formulas = [rename(one.result.formula, n) for one, n in zip(group, called, strict=True)]
     guards = [one.guards(n) for one, n in zip(group, called, strict=True)]

@@ -68,6 +68,13 @@ class _Poses(NamedTuple):
 
 
 def _follow(equations: SolverEquations, solver: Solver, outer: Array) -> tuple[Array, Array]:
+    """Return the status of each pose, and the unknowns of those whose way from the start ends well.
+
+    Poses are columns of ``outer``. ``left`` are the numbers of those still on their way: each
+    correction takes all of them on by one, and leaves those that have arrived. Poses whose steps
+    get too short, or that are not there in time, go along the branch by its arc length, if the
+    solver can do that.
+    """
     number = outer.shape[1]
     anchor, start = _beginning(solver, outer)
     status, result = np.full(number, 2.0), np.full((len(start), number), np.nan)

@@ -31,7 +31,7 @@ class OrderedDefinitions(NamedTuple):
     names: Mapping[str, str]
 
 
-class Together(NamedTuple):
+class SharedDefinitions(NamedTuple):
     """Definitions of several results, and by the owner under which name each finds its own."""
 
     formulas: tuple[tuple[str, Formula], ...]
@@ -101,10 +101,10 @@ class ProgramScope:
 
     def definitions(self, owner: str, formulas: Iterable[Formula]) -> OrderedDefinitions:
         """Return all that formulas of a result need, in order."""
-        found = self.together({owner: formulas})
+        found = self.shared_definitions({owner: formulas})
         return OrderedDefinitions(found.formulas, found.names[owner])
 
-    def together(self, asked: Mapping[str, Iterable[Formula]]) -> Together:
+    def shared_definitions(self, asked: Mapping[str, Iterable[Formula]]) -> SharedDefinitions:
         """Return all that formulas of several results need, in order, by their owners."""
         wanted = {
             owner: dict(pair for f in formulas for pair in self._keys(owner, f))
@@ -112,7 +112,7 @@ class ProgramScope:
         }
         found, chosen = self._named(key for keys in wanted.values() for key in keys.values())
         names = {owner: {n: chosen[k] for n, k in keys.items()} for owner, keys in wanted.items()}
-        return Together(tuple(found.items()), names)
+        return SharedDefinitions(tuple(found.items()), names)
 
     def free(self, owner: str, formulas: Sequence[Formula]) -> frozenset[str]:
         """Return the names that formulas and the definitions they need leave open."""

@@ -143,18 +143,22 @@ class _Turning:
             self._define_sum(name, angle.put(self.sums))
             self.rewritten.forget()
         elif units := self._polar(name, formula):
-            self.units[name] = self._carried(name, units)
+            self.units[name] = self._direction_of_sum(name, units)
             self.rewritten.forget()
 
     def _define_sum(self, name: str, angle: Angle) -> None:
         """Add an angle that carried ones make up: a direction of its own where they are many."""
         turns = self._turns(angle)
         if CARRIED_ANGLES <= len(turns) <= MOST_EXPANDED_ANGLES:
-            self.units[name] = self._carried(name, turns)
+            self.units[name] = self._direction_of_sum(name, turns)
         else:
             self.sums[name] = angle
 
-    def _carried(self, name: str, units: list[DirectionVector]) -> DirectionVector:
+    def _direction_of_sum(self, name: str, units: list[DirectionVector]) -> DirectionVector:
+        """Return the direction of an angle that is the sum of those of unit vectors.
+
+        Components of several get names; cosine and sine do where the size is long, or often used.
+        """
         unit = DirectionVector(*map(self.rewritten, whole(units)))
         if len(units) > 1:
             unit = DirectionVector(
@@ -180,7 +184,7 @@ class _Turning:
         found: list[DirectionVector] = []
         for term in terms:
             sign, inner = signed(term)
-            unit = self._simple(name, inner)
+            unit = self._of_one_term(name, inner)
             if unit:
                 found.append(unit if sign > 0 else unit.back())
             else:
@@ -192,7 +196,8 @@ class _Turning:
             found.append(plain(angle))
         return found if len(found) <= MOST_EXPANDED_ANGLES else []
 
-    def _simple(self, name: str, formula: Formula) -> DirectionVector | None:
+    def _of_one_term(self, name: str, formula: Formula) -> DirectionVector | None:
+        """Return the direction of an arc function or of a carried angle; None of others."""
         match formula:
             case Call("atan2", (y, x)):
                 return DirectionVector(x, y, self._size(name, x, y))

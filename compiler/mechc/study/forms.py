@@ -29,13 +29,13 @@ def form(formula: Formula, where: Result | None, names: Set[str]) -> FormulaCode
     elsewhere, that form's value is taken where this one has none.
     """
     if where is None:
-        return alone(formula, names)
+        return code_of(formula, names)
     known = _with_defined(names, where.where)
     guards = _valued(where.guards, known)
     if where.elsewhere is None and not guards:
-        return alone(formula, names, where.where)
+        return code_of(formula, names, where.where)
     own = where.formula if where.elsewhere else formula
-    found = together([formula, own, *_sides(guards)], names, where.where)
+    found = code_of_all([formula, own, *_sides(guards)], names, where.where)
     is_known = _is_known(own, known)
     elsewhere = _elsewhere(formula, where, names)
 
@@ -58,13 +58,13 @@ def _elsewhere(formula: Formula, where: Result, names: Set[str]) -> FormulaCode 
     return form(beside, where.elsewhere, names)
 
 
-def alone(formula: Formula, names: Set[str], definitions: Definitions = ()) -> FormulaCode:
+def code_of(formula: Formula, names: Set[str], definitions: Definitions = ()) -> FormulaCode:
     """Return one formula in names that have values, or definitions, as code."""
-    found = together([formula], names, definitions)
-    return lambda values: found(values)[0]
+    code = code_of_all([formula], names, definitions)
+    return lambda values: code(values)[0]
 
 
-def together(
+def code_of_all(
     formulas: Sequence[Formula], names: Set[str], definitions: Definitions = ()
 ) -> FormulaCodes:
     """Return formulas in names that have values, or definitions, as one code.
@@ -97,7 +97,7 @@ def holding(
     guards = _valued(conditions, _with_defined(names, definitions))
     if not guards:
         return lambda values: True
-    sides = together([*_sides(guards)], names, definitions)
+    sides = code_of_all([*_sides(guards)], names, definitions)
     return lambda values: _hold(guards, sides(values))
 
 

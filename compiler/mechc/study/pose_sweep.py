@@ -17,7 +17,7 @@ from ..formula.tree import Definitions, Formula, Implicit, System
 from ..kinematics.plan import Plan
 from ..model.result import Result
 from ..model.values import Chain, Completion, Values, defaults, following, user_defined
-from .forms import SOON, FormulaCode, FormulaCodes, form, holding, together
+from .forms import SOON, FormulaCode, FormulaCodes, code_of_all, form, holding
 
 if TYPE_CHECKING:
     from ..formula.roots import RealFunction
@@ -58,7 +58,7 @@ class PoseCode:
         self._forms: dict[
             tuple[int, int, Set[str]], tuple[Formula, Result | None, FormulaCode]
         ] = {}
-        self._together: dict[
+        self._codes: dict[
             tuple[tuple[int, ...], int, Set[str]], tuple[object, object, FormulaCodes]
         ] = {}
         self._chains: dict[int, tuple[Result, Chain]] = {}
@@ -76,15 +76,15 @@ class PoseCode:
             self._forms[key] = formula, where, form(formula, where, names)
         return self._forms[key][2]
 
-    def together(
+    def forms(
         self, formulas: Sequence[Formula], definitions: Definitions, names: Set[str]
     ) -> FormulaCodes:
         """Return formulas with definitions as one code, in names that have values."""
         key = tuple(map(id, formulas)), id(definitions), names
-        if key not in self._together:
-            code = together(formulas, names, definitions)
-            self._together[key] = formulas, definitions, code
-        return self._together[key][2]
+        if key not in self._codes:
+            code = code_of_all(formulas, names, definitions)
+            self._codes[key] = formulas, definitions, code
+        return self._codes[key][2]
 
     def whole(self, result: Result, names: frozenset[str]) -> tuple[Completion, FormulaCode]:
         """Return the definitions of a result in names that have values, and its value in both."""
@@ -206,7 +206,7 @@ class PoseSweep:
         """
         names = self.code.inner.complete(self.values(self.default)).keys()
         formulas = [value.formula() for value in values]
-        found = keeping(together(formulas, names), self._inside)
+        found = keeping(code_of_all(formulas, names), self._inside)
         return [partial(_taken, found, i) for i in range(len(formulas))]
 
     def inside(self, value: Product, x: float) -> float:

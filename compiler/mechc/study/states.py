@@ -115,7 +115,7 @@ class IdealAlong:
 
     @cached_property
     def _factors(self) -> Functions:
-        return self.sweep.together(self._ideal.factors, self.result.where)
+        return self.sweep.functions(self._ideal.factors, self.result.where)
 
     def divisors(self, x: float) -> Sequence[float]:
         """Return the divisors in terms of the ratio: each is 0 at a pole."""
@@ -123,7 +123,7 @@ class IdealAlong:
 
     @cached_property
     def _divisors(self) -> Functions:
-        return self.sweep.together(self._ideal.divisors, self.result.where)
+        return self.sweep.functions(self._ideal.divisors, self.result.where)
 
 
 class ZeroAlong(IdealAlong):
@@ -217,7 +217,7 @@ class RatioAlong:
 
     @cached_property
     def _signs(self) -> Functions:
-        return self.sweep.together(self._ratios.signs, self._ratios.real.where)
+        return self.sweep.functions(self._ratios.signs, self._ratios.real.where)
 
     def factors(self, x: float) -> Sequence[float]:
         """Return the factors of the ratio without friction: each is zero at a dead centre."""

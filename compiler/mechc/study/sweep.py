@@ -70,9 +70,9 @@ class Sweep(PoseSweep):
         values = following.complete(self.values(x))
         return math.nan if self.trouble(x) else value(values), values
 
-    def together(self, formulas: Sequence[Formula], definitions: Definitions) -> Functions:
+    def functions(self, formulas: Sequence[Formula], definitions: Definitions) -> Functions:
         """Return formulas as one function of the parameter, those that have a value along it."""
-        return keeping(self.code.together(formulas, definitions, self.names), self.values)
+        return keeping(self.code.forms(formulas, definitions, self.names), self.values)
 
     def _on_sides(self, value: "RealFunction", senses: Functions, x: float) -> float:
         """Return a value, the limit of it where a slip is 0 for once."""
@@ -115,7 +115,7 @@ class Sweep(PoseSweep):
         """
         if id(where) not in self._senses:
             found = [d[1] for d in where if is_call(d[1], "sense")]
-            self._senses[id(where)] = where, self.together(found, where) if found else None
+            self._senses[id(where)] = where, self.functions(found, where) if found else None
         return self._senses[id(where)][1]
 
     def beyond_rounding(

@@ -99,6 +99,10 @@ def _links(statement: ast.Gear | ast.Belt, arm: str, scope: NameScope) -> tuple[
 
 
 def _fixed_to(centre: ast.Name, on: ast.Name | None, arm: str, scope: NameScope) -> str | None:
+    """Return the body that one wheel turns with, '' for the ground; None where that is reported.
+
+    It is the one that the statement names behind ``on``, else the only link at the centre.
+    """
     if on is None:
         link = _only_link(centre, arm, scope)
     elif on.text == GROUND:

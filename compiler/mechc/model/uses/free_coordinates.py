@@ -18,7 +18,7 @@ def with_free_coordinates(file: ast.File, mechanism: Mechanism) -> ast.File:
     free = {p.name: p for p in mechanism.parameters if p.value and not p.dependent}
     declared = {param.name.text for param in every(file, ast.Param)}
     own = (_with_value(statement, free) for statement in file.statements)
-    made_up = (_declared(p) for name, p in free.items() if name not in declared)
+    made_up = (_as_param(p) for name, p in free.items() if name not in declared)
     return replace(file, statements=(*own, *made_up))
 
 
@@ -31,7 +31,8 @@ def _with_value(statement: ast.Statement, free: dict[str, Parameter]) -> ast.Sta
             return statement
 
 
-def _declared(parameter: Parameter) -> ast.Param:
+def _as_param(parameter: Parameter) -> ast.Param:
+    """Return the line ``param`` that would give a parameter its value and its range."""
     ends = parameter.range
     return ast.Param(
         parameter.span,

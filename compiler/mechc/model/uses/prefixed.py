@@ -46,10 +46,11 @@ class _Renaming:
 
     def _formula(self, formula: Formula) -> Formula:
         if id(formula) not in self._known:
-            self._known[id(formula)] = formula, self._made(formula)
+            self._known[id(formula)] = formula, self._renamed(formula)
         return self._known[id(formula)][1]
 
-    def _made(self, formula: Formula) -> Formula:
+    def _renamed(self, formula: Formula) -> Formula:
+        """Return a formula with the prefix before all names in it."""
         match formula:
             case Constant(name, value):
                 return Constant(self._name(name), value)

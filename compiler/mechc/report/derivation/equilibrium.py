@@ -84,12 +84,12 @@ def explained_by_sums(
 ) -> Iterator[Explanation]:
     """Yield how results follow from sums of forces and moments; forces without, by a release."""
     writer = _LoadWriter(solution.plan.graph.pose)
-    groups = tuple(_together(solution, {each.result: each for each in loads}))
+    groups = tuple(_results_of_one_force(solution, {each.result: each for each in loads}))
     yield from (writer.explanation(names, found) for names, found in groups)
     yield from of_forces(solution, frozenset(name for names, _ in groups for name in names))
 
 
-def _together(
+def _results_of_one_force(
     solution: FrictionSolution, loads: Mapping[str, Equilibrium]
 ) -> Iterator[tuple[tuple[str, ...], tuple[Equilibrium, ...]]]:
     """Yield results that are explained together, with the steps to each of their components."""

@@ -80,7 +80,7 @@ def section_block(section: Section, locale: Locale, style: LatexNotation) -> Sec
     if first.name in section.lines:
         main = tuple(alone(section.lines[first.name], locale, style))
     else:
-        main = _together(section.results, style, locale) or _main(first, locale, style, units)
+        main = _components(section.results, style, locale) or _main(first, locale, style, units)
     return SectionBlock(
         heading(first, locale, LatexSpeller(style)),
         paragraphs,
@@ -96,7 +96,9 @@ def width(section: Section, style: LatexNotation) -> float:
     return max((*results, *where))
 
 
-def _together(results: Sequence[Analysis], style: LatexNotation, locale: Locale) -> tuple[str, ...]:
+def _components(
+    results: Sequence[Analysis], style: LatexNotation, locale: Locale
+) -> tuple[str, ...]:
     """Return the components of one force below each other; nothing for a single result."""
     if len(results) == 1:
         return ()

@@ -161,7 +161,7 @@ def _signs(results: Sequence[Analysis], along: Sweep) -> Iterator[SignsAt]:
     for group in groups:
         parts = dict.fromkeys(p for f in group.values() for p in walk(f) if is_call(p, *SIGNS))
         if parts:
-            yield along.together([*parts], [*group.items()])
+            yield along.functions([*parts], [*group.items()])
 
 
 def changes_of_sign(signs: SignsAt, grid: Sequence[float]) -> Iterator[float]:

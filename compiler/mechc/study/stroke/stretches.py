@@ -105,14 +105,14 @@ def with_reached(
     """
     if default is None:
         return tuple(stretches)
-    groups = _together(stretches, excluded)
+    groups = _connected(stretches, excluded)
     if len(groups) > 1 and turns and _comes_round(stretches[0], stretches[-1]):
         groups = [[*groups[-1], *groups[0]], *groups[1:-1]]
     reached = next((group for group in groups if _holds(group, default)), stretches)
     return tuple(s._replace(reached=s in reached) for s in stretches)
 
 
-def _together(stretches: Sequence[StrokeInterval], excluded: str) -> list[list[StrokeInterval]]:
+def _connected(stretches: Sequence[StrokeInterval], excluded: str) -> list[list[StrokeInterval]]:
     """Return runs of stretches between which the loops close."""
     groups: list[list[StrokeInterval]] = []
     for stretch in stretches:

@@ -41,10 +41,10 @@ FEWEST_USES = 8
 Groups = dict[tuple[str, ...], list[AskedResult]]
 
 
-def together(
+def with_common_steps(
     listed: Iterable[AskedResult], scope: ProgramScope, names: Sequence[str]
 ) -> dict[str, Function]:
-    """Return by name those functions that are computed together."""
+    """Return by name the functions of those results that need the same definitions many times."""
     groups, left = Groups(), list[AskedResult]()
     for one in listed:
         if not isinstance(one.result, FrictionResult):
