@@ -14,10 +14,10 @@ from mechc.formula.evaluate import evaluate
 from mechc.formula.rounding import Rounding
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, negative, number, product, total
+from mechc.friction.chain_bodies import BodyForce, EquationsCoupled, Task, cut_free
 from mechc.friction.closed_form import readable
 from mechc.friction.coupled import coupled, true_sizes
 from mechc.friction.efficiency import Drives, _has_roots
-from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_free
 from mechc.friction.friction_pairs import (
     Component,
     FrictionPair,

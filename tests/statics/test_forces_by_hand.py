@@ -24,7 +24,7 @@ from mechc.statics.balanced import Balanced
 from mechc.statics.cases import sizes_of
 from mechc.statics.contacts import pulling
 from mechc.statics.counted import uncounted
-from mechc.statics.free_bodies import UnknownForce, equilibrium
+from mechc.statics.equations import UnknownForce, equilibrium
 from mechc.statics.joint_forces import joint_force
 from mechc.statics.speeds import speed_ratio
 from mechc.statics.transfers import both, transfers

@@ -24,10 +24,10 @@ from mechc.source import Source
 from mechc.statics.answers import load_ratio
 from mechc.statics.assembly import Plane, direction
 from mechc.statics.balanced import Balanced
-from mechc.statics.free_bodies import equilibrium
+from mechc.statics.equations import equilibrium
 from mechc.statics.poses import candidates, feasible_pose
 from mechc.statics.referee import RefereeDisagrees, cross_check
-from mechc.statics.solve import factor
+from mechc.statics.sparse_elimination import factor
 from mechc.statics.speeds import speed_ratio
 from mechc.statics.unfold import Unfolding
 from mechc.units import ANGLE, LENGTH, NUMBER

@@ -23,8 +23,8 @@ from ..pose.pose import Arm, Pose, Vector
 from ..power.definitions import bound_names
 from ..power.joint_forces import component, joint_of, line_of, size_of_two
 from ..power.reactions import Transmitted
+from .chain_bodies import Bodies, BodyForce, EquationsCoupled
 from .closed_form import PrintedFormula, readable
-from .free_bodies import Bodies, BodyForce, EquationsCoupled
 from .friction_pairs import LoadedPair
 from .linear import LinearSolver
 from .normal_forces import load_of

@@ -18,7 +18,7 @@ from ..model.boxes import allowed_box, with_angles
 from ..model.result import Definition
 from ..model.values import Chain, completed, user_defined
 from ..power.numbers import default_values, values_near_default
-from .free_bodies import EquationsCoupled
+from .chain_bodies import EquationsCoupled
 from .naming import Meanings, OwnNames, renamed
 from .sign_conditions import Operator, SignCondition, conditions, positive
 from .signs import AtAnyPose, SignSymbols
@@ -78,7 +78,7 @@ class ClosedFormSolver(Protocol):
     def solve(self) -> Sequence[Product]:
         """Return the parts that the driving load is the sum of.
 
-        Raises :class:`~.free_bodies.EquationsCoupled` where there is no closed form.
+        Raises :class:`~.chain_bodies.EquationsCoupled` where there is no closed form.
         """
         ...
 

@@ -12,7 +12,7 @@ from ..algebra.sums import add
 from ..model.mechanism import Link
 from ..pose.pose import PointContact
 from . import surfaces
-from .free_bodies import Bodies, BodyForce, under
+from .chain_bodies import Bodies, BodyForce, under
 from .friction_pairs import radii, reduced
 from .notes import Notes
 from .signs import SignSymbols

@@ -32,7 +32,7 @@ from ..formula.tree import (
 from ..formula.walk import substitute
 from ..named import NamedTuple
 from ..power.magnitudes import root
-from .free_bodies import Arms, BodyForce, EquationsCoupled
+from .chain_bodies import Arms, BodyForce, EquationsCoupled
 from .signs import SignSymbols
 
 TWO = number(2)

@@ -12,8 +12,8 @@ from ..algebra.matrices import determinant, with_column
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
 from ..formula.tree import Formula, Symbol, product, total
+from .chain_bodies import EquationsCoupled
 from .closed_form import power
-from .free_bodies import EquationsCoupled
 from .friction_pairs import LoadedPair
 from .sign_conditions import SignCondition
 from .signs import SignSymbols

@@ -9,7 +9,7 @@ from ..formula.tree import ZERO, Formula, Symbol, is_call, number, product, tota
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import Link
 from ..power.joint_forces import size_of_two
-from .free_bodies import Bodies, BodyForce, BodyKind
+from .chain_bodies import Bodies, BodyForce, BodyKind
 from .signs import SignSymbols, exact_sign
 from .solution import FrictionStep, StepKind
 

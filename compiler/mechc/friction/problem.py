@@ -30,9 +30,9 @@ from ..power.loads import given_size
 from ..power.numbers import is_zero_everywhere
 from ..power.reactions import Reactions
 from . import closed_forces
+from .chain_bodies import Bodies, Task, cut_free
 from .closed_form import DefaultPose, DefinedFormula
 from .coupled import Coupled, coupled, true_sizes
-from .free_bodies import Bodies, Task, cut_free
 from .friction_pairs import FrictionPair, LoadedPair, friction_pairs
 from .naming import Endings, ForceSizes, Meanings, with_one_meaning
 from .normal_forces import Idle, LoadedByAnother, Undetermined, loaded_pairs

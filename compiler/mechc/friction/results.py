@@ -26,9 +26,9 @@ from ..power.magnitudes import magnitude
 from ..power.numbers import is_zero, value_of
 from ..power.reactions import Transmitted
 from . import closed_forces, joint_forces, linear
+from .chain_bodies import EquationsCoupled
 from .closed_form import DefinedFormula, PrintedFormula, closed_form, printed_form
 from .efficiency import Drives
-from .free_bodies import EquationsCoupled
 from .friction_pairs import LoadedPair
 from .iterated import exact, exact_case, first_order, first_order_case, step_of
 from .naming import ForceSizes

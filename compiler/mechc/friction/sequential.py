@@ -23,8 +23,8 @@ from ..algebra.sums import add, canonical
 from ..formula.tree import Formula
 from ..model.mechanism import Link
 from . import surfaces
+from .chain_bodies import Bodies, BodyForce, BodyKind, EquationsCoupled
 from .force_lines import ForceLines
-from .free_bodies import Bodies, BodyForce, BodyKind, EquationsCoupled
 from .lever_quadratic import LeverPivot, LeverSides, on_lever
 from .notes import Notes
 from .sign_conditions import SignCondition

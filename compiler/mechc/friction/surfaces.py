@@ -8,7 +8,7 @@ from ..model.mechanism import Link
 from ..named import NamedTuple
 from ..pose.pose import PointContact
 from ..power.definitions import bound_names
-from .free_bodies import Bodies, EquationsCoupled
+from .chain_bodies import Bodies, EquationsCoupled
 from .friction_pairs import LoadedPair
 
 

@@ -1,11 +1,11 @@
 """Equilibrium of every free body: the second opinion on k.
 
 It shares the mechanism and its pose with virtual power and nothing else. ``unfold`` puts
-the whole mechanism into numbers, ``free_bodies`` cuts it into links and pins and writes
-their sums of forces and moments, ``solve`` eliminates, ``answers`` and ``speeds`` ask for
-one ratio, and the ``referee`` compares at several ``poses``, after ``closure`` has measured
-whether the mechanism stands there as described. ``to_diagrams`` hands out what acts on every
-body, for reports.
+the whole mechanism into numbers, ``equations`` cuts it into links and pins and writes
+their sums of forces and moments, ``sparse_elimination`` solves them, ``answers`` and
+``speeds`` ask for one ratio, and the ``referee`` compares at several ``poses``, after
+``closure`` has measured whether the mechanism stands there as described. ``to_diagrams`` hands
+out what acts on every body, for reports, as ``all_forces`` finds it.
 """
 
 from typing import TYPE_CHECKING

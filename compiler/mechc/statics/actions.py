@@ -20,7 +20,7 @@ from .assembly import (
     scaled,
 )
 from .diagram import Acting, ActionKind
-from .free_bodies import UnknownForce
+from .equations import UnknownForce
 from .surfaces import FrictionSurfaces
 from .transfers import PinOnLink
 

@@ -9,8 +9,8 @@ from collections.abc import Mapping, Set
 
 from ..named import NamedTuple
 from .balanced import Balanced, Tie
-from .free_bodies import EquilibriumSystem
-from .solve import EliminatedSystem, SparseRow
+from .equations import EquilibriumSystem
+from .sparse_elimination import EliminatedSystem, SparseRow
 from .tolerances import EPSILON, INCONSISTENT
 from .verdict import OPEN, UNBALANCED
 

@@ -9,8 +9,8 @@ from ..formula.walk import symbols
 from ..model.mechanism import Load, Mechanism
 from ..model.result import Definition
 from ..named import NamedTuple
-from .free_bodies import EquilibriumSystem, equilibrium
-from .solve import EliminatedSystem, SparseRow, factor, scale_of
+from .equations import EquilibriumSystem, equilibrium
+from .sparse_elimination import EliminatedSystem, SparseRow, factor, scale_of
 from .unfold import Unfolding
 
 T = TypeVar("T")

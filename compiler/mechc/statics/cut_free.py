@@ -11,7 +11,7 @@ from ..frozen import frozen, replace
 from .actions import Actions
 from .assembly import AssembledBodies
 from .diagram import Acting, FreeBody, Plane
-from .free_bodies import EquilibriumSystem
+from .equations import EquilibriumSystem
 from .surfaces import FrictionSurfaces
 from .tolerances import VANISHED
 from .transfers import PinOnLink

@@ -17,10 +17,10 @@ from ..model.parts.targets import SIGNS
 from ..named import NamedTuple
 from .answers import Answer
 from .balanced import Balanced, Tie, gather, ties, untied, with_loads
-from .free_bodies import EquilibriumSystem, equilibrium
+from .equations import EquilibriumSystem, equilibrium
 from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 from .joint_forces import Weights, wanted_of
-from .solve import EliminatedSystem, SparseRow, factor
+from .sparse_elimination import EliminatedSystem, SparseRow, factor
 from .surfaces import FrictionSurfaces, pairs_of
 from .tolerances import EPSILON, INCONSISTENT, NO_SLIP, SAME_TERM
 from .unfold import Unfolding

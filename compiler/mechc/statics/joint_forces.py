@@ -7,7 +7,7 @@ from ..model.mechanism import Axial, ForceAtJoint, Normal, Reaction
 from .answers import Answer, combination, one_of, unknown_bases
 from .assembly import Plane
 from .balanced import Balanced
-from .free_bodies import EquilibriumSystem, UnknownForce
+from .equations import EquilibriumSystem, UnknownForce
 from .unfold import Unfolding
 
 Weights = Mapping[int, float]

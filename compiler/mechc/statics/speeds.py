@@ -12,7 +12,7 @@ from ..named import NamedTuple
 from .answers import Answer, combination
 from .assembly import Action, Plane, direction
 from .balanced import eliminated
-from .free_bodies import equilibrium
+from .equations import equilibrium
 from .unfold import Unfolding
 from .verdict import NO_SPEED
 

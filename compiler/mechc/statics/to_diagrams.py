@@ -14,7 +14,7 @@ from ..model.parts.linkage import primed
 from ..model.result import Result
 from ..pose.places import NOWHERE
 from ..pose.pose import Pose
-from . import solved
+from . import all_forces
 from .cases import LoadCase, LoadSizes, cases, sizes_of
 from .cut_free import PointPositions, StaticsSolution, cut_free, sizes_beyond_rounding
 from .diagram import Acting, Diagram, FreeBody, ThreadMotion
@@ -71,14 +71,16 @@ class _LoadSetMaker:
         Where friction is all that is overcome, nothing acts without it.
         """
         if self.case.sizes:
-            yield self._solved("", solved.ideal)
+            yield self._solved("", all_forces.ideal)
         friction = self.unfolding.pose.mechanism.friction
         if friction.efficiency is not None:
             yield self._empty(friction.sense, CONSTANT)
         elif friction.joints and mixed:
             yield self._empty(friction.sense, MIXED)
         elif friction.joints:
-            yield self._solved(friction.sense, partial(solved.with_friction, nearby=self.nearby))
+            yield self._solved(
+                friction.sense, partial(all_forces.with_friction, nearby=self.nearby)
+            )
 
     def _empty(self, motion: ThreadMotion, trouble: str) -> Diagram:
         case = self.case

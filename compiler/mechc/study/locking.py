@@ -8,9 +8,9 @@ from ..algebra.from_formula import to_product
 from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
 from ..formula.positive_divisors import arcs_of_positive_divisors
-from ..formula.solved import AngleSolution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import symbols
+from ..formula.zeros_and_poles import AngleSolution, poles, zeros
 from ..frozen import frozen, on_demand, replace
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result

@@ -2,9 +2,9 @@
 
 import pytest
 
-from mechc.formula.solved import zeros
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, negative, number, product, total
+from mechc.formula.zeros_and_poles import zeros
 
 A, C = Symbol("a"), Symbol("c")
 COT = Call("cot", (A,))

@@ -5,9 +5,9 @@ import math
 from .balanced import Tie, gather, ties, untied, with_loads
 from .cases import LoadCase
 from .cut_free import StaticsSolution
-from .free_bodies import equilibrium
+from .equations import equilibrium
 from .friction_loads import friction_forces
-from .solve import EliminatedSystem, factor
+from .sparse_elimination import EliminatedSystem, factor
 from .tolerances import INCONSISTENT
 from .transfers import PinOnLink, bearings
 from .unfold import Unfolding
