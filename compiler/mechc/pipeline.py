@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
-from .diagnostics import Report
 from .diagnostics import sheets as messages
 from .files import resolved
 from .friction.from_balance import solve
@@ -34,7 +33,7 @@ from .statics.verdict import Verdict
 from .study.analysis import as_printed
 from .study.expectations import Finding, compare
 from .syntax import ast
-from .syntax.notation import read
+from .syntax.notation import read, report_on
 from .syntax.settings import Settings, attached, driven_by, with_settings
 from .version import VERSION
 from .work import Allowance
@@ -112,7 +111,7 @@ class Pipeline:
     ) -> None:
         self.settings = settings or {}
         self.drive = drive
-        self.report = Report(attached(source, self.settings))
+        self.report = report_on(attached(source, self.settings))
         self.allowance = Allowance()
         self.users = (*users, *([resolved(Path(source.name))] if source.folder else []))
 

@@ -4,12 +4,12 @@ from difflib import unified_diff
 from pathlib import Path
 from typing import Literal
 
-from ..diagnostics import MechcError, Report
+from ..diagnostics import MechcError
 from ..files import write_all
 from ..named import NamedTuple
 from ..source import Source
 from ..syntax import ast
-from ..syntax.notation import is_yaml, read
+from ..syntax.notation import is_yaml, read, report_on
 from ..syntax.to_dsl import to_dsl
 from ..syntax.to_yaml import in_yaml_order, to_yaml
 from . import usage
@@ -115,7 +115,7 @@ def _by_kind(tree: ast.File) -> dict[str, list[ast.Statement]]:
 
 
 def _tree(source: Source) -> ast.File:
-    report = Report(source)
+    report = report_on(source)
     tree = read(source, report)
     report.stop_on_errors()
     return tree

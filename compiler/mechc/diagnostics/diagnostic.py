@@ -133,17 +133,20 @@ class Report:
     """Collects diagnostics while one description goes through the stages.
 
     A stage adds all it finds and calls :meth:`stop_on_errors` where the next step
-    would need what is missing.
+    would need what is missing. Hints are written in lines; ``in_notation`` puts them into the
+    notation of the text.
     """
 
-    def __init__(self, source: Source) -> None:
-        self.source = source
+    def __init__(self, source: Source, in_notation: Callable[[str], str] | None = None) -> None:
+        self.source, self._in_notation = source, in_notation
         self.diagnostics: list[Diagnostic] = []
         self._known: set[Diagnostic] = set()
         self._uses: list[tuple[Span, Span]] = []
 
     def add(self, diagnostic: Diagnostic) -> None:
         """Note a diagnostic, once; of one in an attached text also where that is used."""
+        if self._in_notation and diagnostic.hint:
+            diagnostic = replace(diagnostic, hint=self._in_notation(diagnostic.hint))
         diagnostic = self._with_use(diagnostic)
         if diagnostic not in self._known:
             self._known.add(diagnostic)

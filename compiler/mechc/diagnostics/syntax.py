@@ -317,7 +317,7 @@ def version_not_first(span: Span) -> Message:
 
 
 @coded("E117")
-def empty_parameter(span: Span, name: str, is_yaml: bool = False) -> Message:
+def empty_parameter(span: Span, name: str) -> Message:
     """A parameter has neither a value nor a dimension nor a range.
 
     param a                  # wrong: a length? an angle?
@@ -325,8 +325,6 @@ def empty_parameter(span: Span, name: str, is_yaml: bool = False) -> Message:
     param a: length          # right: a length without a value
     """
     hint = f"write 'param {name} = 40 mm' or 'param {name}: length'"
-    if is_yaml:
-        hint = f"write '{name}: 40 mm' or '{name}: {{dimension: length}}'"
     return Message(span, f"parameter '{name}' has no value and no dimension", hint)
 
 

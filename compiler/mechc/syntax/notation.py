@@ -28,6 +28,24 @@ def read(source: Source, report: Report) -> ast.File:
     return _parser("from_yaml" if yaml else "from_dsl")(source, report)
 
 
+def report_on(source: Source) -> Report:
+    """Return an empty report, whose hints are in the notation of a text.
+
+    >>> from ..diagnostics import syntax
+    >>> hinted = syntax.empty_parameter(Span(0, 1), "a")
+    >>> report_on(Source("a.mech", "")).fail(hinted).diagnostics[0].hint
+    "write 'param a = 40 mm' or 'param a: length'"
+    >>> report_on(Source("a.yaml", "")).fail(hinted).diagnostics[0].hint
+    "write 'params: {a: 40 mm}' or 'params: {a: {dimension: length}}'"
+    """
+    return Report(source, _in_yaml if is_yaml(source) else None)
+
+
+def _in_yaml(hint: str) -> str:
+    """Return a hint in YAML: only a fault takes the parser of the other notation."""
+    return cast(Callable[[str], str], import_module(".hints", __package__).in_yaml)(hint)
+
+
 def _parser(module: str) -> Callable[[Source, Report], ast.File]:
     """Return a notation's parser; the other notation's libraries are not imported."""
     return cast(

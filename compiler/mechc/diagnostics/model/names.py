@@ -92,10 +92,8 @@ def of_no_point(name: str, points: Collection[str]) -> str:
 
 
 def dimension_as_value(name: str) -> str:
-    """Return the hint at a kind of quantity where a value belongs, in both notations."""
-    return (
-        f"a quantity without a value is written `param a: {name}`, in YAML a: {{dimension: {name}}}"
-    )
+    """Return the hint at a kind of quantity where a value belongs."""
+    return f"a quantity without a value is written `param a: {name}`"
 
 
 def point_as_quantity(name: str) -> str:

@@ -37,7 +37,7 @@ def made(entry: SectionEntry, span: Span, fields: dict[str, Any]) -> ast.Stateme
     """Return the node, after the checks that the line notation makes in its grammar."""
     node = entry.node(span, **fields)
     if isinstance(node, ast.Param) and not (node.value or node.dimension or node.low):
-        raise Fault(syntax.empty_parameter(node.name.span, node.name.text, is_yaml=True))
+        raise Fault(syntax.empty_parameter(node.name.span, node.name.text))
     return node
 
 
