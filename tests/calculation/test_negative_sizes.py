@@ -7,7 +7,7 @@ from typing import Literal, cast
 import pytest
 
 from mechc.calculation.calculation import Check
-from mechc.calculation.signs import _doubt, _force, _has_sign
+from mechc.calculation.doubtful_signs import _doubt, _force, _has_sign
 from mechc.compilation import Compilation, complete
 from mechc.files import read
 from mechc.formula.tree import Call, Formula, Symbol, number, product, total

@@ -8,8 +8,8 @@ import mechc
 from mechc.formula.evaluate import evaluate
 from mechc.formula.layout import over_line
 from mechc.formula.tree import Call, Symbol, number, product, total
+from mechc.report.text.character_sets import UNICODE
 from mechc.report.text.printer import print_formula
-from mechc.report.text.signs import UNICODE
 
 A, B = Symbol("a"), Symbol("b")
 SINE = Call("sin", (B,))

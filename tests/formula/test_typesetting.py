@@ -11,8 +11,8 @@ from mechc.formula.tree import Call, Formula, Implicit, Number, Power, Product, 
 from mechc.formula.typesetting import FormulaRow, Typesetter
 from mechc.report.latex.notation import notation
 from mechc.report.latex.printer import latex
+from mechc.report.text.character_sets import ASCII, UNICODE
 from mechc.report.text.printer import print_formula
-from mechc.report.text.signs import ASCII, UNICODE
 from report_samples import formula
 
 BOTH = {

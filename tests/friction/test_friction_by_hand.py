@@ -39,9 +39,10 @@ from mechc.friction.normal_forces import (
     without_unloaded,
 )
 from mechc.friction.sequential import SequentialSolver
-from mechc.friction.sign_conditions import conditions
-from mechc.friction.signs import AtAnyPose, bare, is_root
-from mechc.friction.signs_at_a_pose import SignsAtOnePose
+from mechc.friction.signs.at_any_pose import AtAnyPose
+from mechc.friction.signs.at_one_pose import SignsAtOnePose
+from mechc.friction.signs.conditions import conditions
+from mechc.friction.signs.names import bare, is_root
 from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
 from mechc.model.mechanism import LoadRatio, Mirror, Rope

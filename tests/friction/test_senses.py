@@ -21,7 +21,7 @@ from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
-from mechc.friction.senses import sense_of, size_of
+from mechc.friction.signs.senses import sense_of, size_of
 from mechc.routine.evaluate import evaluate as by_interpreter
 from mechc.source import Source
 from mechc.study.analysis import as_printed

@@ -12,8 +12,8 @@ from mechc.model.values import UsualUnits
 from mechc.report.by_parts import by_parts
 from mechc.report.evaluated import Evaluated, KnownQuantities
 from mechc.report.put_in import GivenQuantity
+from mechc.report.text.character_sets import UNICODE
 from mechc.report.text.printer import print_formula
-from mechc.report.text.signs import UNICODE
 
 A, B, Z = map(Symbol, ("a", "b", "Z_1"))
 SUM = total([A, B])

@@ -12,9 +12,9 @@ from mechc.files import find, read
 from mechc.formula.to_text import text
 from mechc.formula.tree import Constant, Symbol, number, product
 from mechc.report.sentences.wording import as_ratio
+from mechc.report.text.character_sets import ASCII, UNICODE
 from mechc.report.text.derivation import render
 from mechc.report.text.printer import print_formula
-from mechc.report.text.signs import ASCII, UNICODE
 from mechc.report.text.speller import LINE_COLUMNS, speller
 from mechc.source import Source
 from report_samples import equations, formula, packet_clamp, six_bar

@@ -11,8 +11,8 @@ from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Formula, Symbol, degrees, number, power, quotient
 from mechc.report.latex.notation import notation
 from mechc.report.latex.printer import latex
+from mechc.report.text.character_sets import ASCII
 from mechc.report.text.printer import print_formula
-from mechc.report.text.signs import ASCII
 from report_samples import formula
 
 

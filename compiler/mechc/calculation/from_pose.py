@@ -18,8 +18,8 @@ from ..model.values import Chain, Values, compare, default_pose, following, user
 from ..pose.pose import Pose, PoseDefinition
 from ..power.definitions import let_results
 from .calculation import Calculation, Check
+from .doubtful_signs import doubtful, negative_sizes
 from .mechanism_results import is_at_rest, resting_on_sheet, with_values
-from .signs import doubtful, negative_sizes
 
 
 def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:

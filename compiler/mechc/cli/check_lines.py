@@ -46,7 +46,7 @@ from ..report.sentences.remarks import (
     says_what_drives,
 )
 from ..report.text import note, overview
-from ..report.text.signs import WRITTEN, tens
+from ..report.text.character_sets import WRITTEN, tens
 from ..report.text.speller import TextSpeller, speller
 from ..report.text.verdict import agreement, said, trials, untried
 from ..source import Source

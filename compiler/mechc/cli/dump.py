@@ -21,8 +21,8 @@ from ..formula.tree import Formula
 from ..frozen import REQUIRED, fields
 from ..later import pattern
 from ..named import NamedTuple
+from ..report.text.character_sets import ASCII
 from ..report.text.printer import print_formula
-from ..report.text.signs import ASCII
 from ..source import Span
 from ..syntax import ast
 from ..syntax.text import direction

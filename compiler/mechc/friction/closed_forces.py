@@ -29,9 +29,9 @@ from .friction_pairs import LoadedPair
 from .linear import LinearSolver
 from .normal_forces import load_of
 from .sequential import SequentialSolver
-from .sign_conditions import conditions, positive
-from .signs import SignSymbols
-from .signs_at_a_pose import SignsAtOnePose
+from .signs.at_one_pose import SignsAtOnePose
+from .signs.conditions import conditions, positive
+from .signs.names import SignSymbols
 from .solution import FrictionStep, StepKind
 
 X, Y = (Arm(ONE, Angle()),), (Arm(ONE, QUARTER),)

@@ -20,9 +20,10 @@ from ..model.values import Chain, completed, user_defined
 from ..power.numbers import default_values, values_near_default
 from .chain_bodies import EquationsCoupled
 from .naming import Meanings, OwnNames, renamed
-from .sign_conditions import Operator, SignCondition, conditions, positive
-from .signs import AtAnyPose, SignSymbols
-from .signs_at_a_pose import SignsAtOnePose
+from .signs.at_any_pose import AtAnyPose
+from .signs.at_one_pose import SignsAtOnePose
+from .signs.conditions import Operator, SignCondition, conditions, positive
+from .signs.names import SignSymbols
 from .solution import FrictionStep
 
 NEAR_DEFAULT = 1e-3

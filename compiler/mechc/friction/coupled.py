@@ -50,7 +50,7 @@ from ..model.result import Definition
 from ..named import NamedTuple
 from .friction_pairs import Component, LoadedPair
 from .naming import ForceSizes
-from .senses import sense_of
+from .signs.senses import sense_of
 
 KEPT_FROM_ZERO = number(Fraction(1, 10**30))
 """What is added to pressing forces so that none of them vanishes, where no slope would be."""

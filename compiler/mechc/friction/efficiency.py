@@ -27,7 +27,7 @@ from ..source import Span
 from ..units import NUMBER
 from .closed_form import DefinedFormula, PrintedFormula, readable
 from .iterated import AS_SHORT_AS_NAME
-from .sign_conditions import Operator
+from .signs.conditions import Operator
 from .solution import FrictionStep
 
 

@@ -15,7 +15,7 @@ from . import surfaces
 from .chain_bodies import Bodies, BodyForce, under
 from .friction_pairs import radii, reduced
 from .notes import Notes
-from .signs import SignSymbols
+from .signs.names import SignSymbols
 from .surfaces import Surface
 
 

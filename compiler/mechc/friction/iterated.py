@@ -33,9 +33,9 @@ from .closed_form import DefinedFormula, PrintedFormula, power, readable
 from .friction_pairs import Component, FrictionPair, LoadedPair, radii, reduced
 from .naming import ForceSizes
 from .normal_forces import scaled
-from .sign_conditions import conditions
-from .signs import is_root
-from .signs_at_a_pose import SignsAtOnePose
+from .signs.at_one_pose import SignsAtOnePose
+from .signs.conditions import conditions
+from .signs.names import is_root
 from .solution import FrictionStep
 
 

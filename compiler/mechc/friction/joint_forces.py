@@ -19,9 +19,9 @@ from .friction_pairs import FrictionPair, LoadedPair, radii
 from .iterated import named_factor, step_of
 from .naming import ForceSizes
 from .normal_forces import load_of, term_of
-from .senses import sense_of
-from .sign_conditions import conditions
-from .signs_at_a_pose import SignsAtOnePose
+from .signs.at_one_pose import SignsAtOnePose
+from .signs.conditions import conditions
+from .signs.senses import sense_of
 
 
 class ForceWithFriction:

@@ -33,7 +33,7 @@ from ..formula.walk import substitute
 from ..named import NamedTuple
 from ..power.magnitudes import root
 from .chain_bodies import Arms, BodyForce, EquationsCoupled
-from .signs import SignSymbols
+from .signs.names import SignSymbols
 
 TWO = number(2)
 

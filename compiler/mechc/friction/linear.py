@@ -15,8 +15,8 @@ from ..formula.tree import Formula, Symbol, product, total
 from .chain_bodies import EquationsCoupled
 from .closed_form import power
 from .friction_pairs import LoadedPair
-from .sign_conditions import SignCondition
-from .signs import SignSymbols
+from .signs.conditions import SignCondition
+from .signs.names import SignSymbols
 from .solution import FrictionStep, StepKind
 
 MOST_READ_PAIRS = 3

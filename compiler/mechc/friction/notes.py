@@ -10,7 +10,7 @@ from ..formula.walk import substitute, symbols
 from ..model.mechanism import Link
 from ..power.joint_forces import size_of_two
 from .chain_bodies import Bodies, BodyForce, BodyKind
-from .signs import SignSymbols, exact_sign
+from .signs.names import SignSymbols, exact_sign
 from .solution import FrictionStep, StepKind
 
 FormulaPair = tuple[Formula, Formula]

@@ -32,7 +32,7 @@ from ..power.reactions import Reactions
 from ..source import Span
 from . import at_rest
 from .friction_pairs import FrictionPair, GivenForces, LoadedPair
-from .senses import sense_of
+from .signs.senses import sense_of
 
 AT_REST: Final[Mapping[str, tuple[type[JointFriction] | UnionType, str]]] = {
     "guide": (GuideFriction, "the joint at {} does not slide"),

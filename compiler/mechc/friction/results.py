@@ -43,8 +43,8 @@ from .problem import (
 )
 from .remarks import asks_for_loads
 from .sequential import SequentialSolver
-from .sign_conditions import signed_part
-from .signs import AtAnyPose
+from .signs.at_any_pose import AtAnyPose
+from .signs.conditions import signed_part
 from .solution import SolvedWithFriction
 
 if TYPE_CHECKING:

@@ -27,8 +27,8 @@ from .chain_bodies import Bodies, BodyForce, BodyKind, EquationsCoupled
 from .force_lines import ForceLines
 from .lever_quadratic import LeverPivot, LeverSides, on_lever
 from .notes import Notes
-from .sign_conditions import SignCondition
-from .signs import SignSymbols
+from .signs.conditions import SignCondition
+from .signs.names import SignSymbols
 from .solution import FrictionStep
 
 

@@ -18,8 +18,8 @@ from ..checks import NoteCheck
 from ..languages.locale import Words
 from ..note import NoteLine, label, note
 from ..put_in import GivenQuantity
+from .character_sets import TextSigns, tens
 from .printer import print_formula, print_name, print_quantity
-from .signs import TextSigns, tens
 from .speller import VALUE_DIGITS, TextSpeller
 
 

@@ -1,6 +1,6 @@
 """Formulas for the terminal, on one line.
 
->>> from .signs import ASCII, UNICODE
+>>> from .character_sets import ASCII, UNICODE
 >>> from ...formula.tree import Call, Sum, Symbol, number, product
 >>> a, b, alpha, theta = map(Symbol, ("a", "b", "alpha", "theta"))
 >>> k = product(
@@ -22,7 +22,7 @@ from ...formula.names import GREEK, corner_of, split_name, words_in
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import FormulaRow, Surroundings, Typesetter
 from ...later import pattern
-from .signs import RAISED, TextSigns, tens
+from .character_sets import RAISED, TextSigns, tens
 
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
@@ -54,7 +54,7 @@ def print_formula(formula: Formula, signs: TextSigns, angle: bool = False) -> st
 def print_side(formula: Formula, signs: TextSigns, angle: bool) -> str:
     """Return a side of a relation: a number alone is a decimal, an angle in degrees, if it can be.
 
-    >>> from .signs import UNICODE
+    >>> from .character_sets import UNICODE
     >>> print_side(Number(Fraction(3, 4)), UNICODE, False), print_side(ZERO, UNICODE, True)
     ('0.75', '0°')
     """
@@ -68,7 +68,7 @@ def print_side(formula: Formula, signs: TextSigns, angle: bool) -> str:
 def print_name(name: str, signs: TextSigns) -> str:
     """Return a quantity's name.
 
-    >>> from .signs import UNICODE
+    >>> from .character_sets import UNICODE
     >>> [print_name(name, UNICODE) for name in ("alpha_1", "omega_O1B", "len_O1B", "turn_ABC")]
     ['α₁', 'ω_O₁B', 'O₁B', '∠ABC']
     >>> [print_name(name, UNICODE) for name in ("y_Q_0", "V_W_0", "l_1_2", "d_max_2")]
@@ -114,7 +114,7 @@ def _called(name: str, texts: Mapping[str, str]) -> str:
 def print_quantity(quantity: str, signs: TextSigns) -> str:
     """Return a number with its unit.
 
-    >>> from .signs import UNICODE
+    >>> from .character_sets import UNICODE
     >>> print_quantity("-14.8 N*m", UNICODE), print_quantity("12 mm^3", UNICODE)
     ('−14.8 N·m', '12 mm³')
     >>> print_quantity("25 1/m", UNICODE), print_quantity("25 1/m^2", UNICODE)
@@ -133,7 +133,7 @@ def print_quantity(quantity: str, signs: TextSigns) -> str:
 def print_point(name: str, signs: TextSigns) -> str:
     """Return a point, a link or an index, its numbers lowered.
 
-    >>> from .signs import UNICODE
+    >>> from .character_sets import UNICODE
     >>> print_point("W_0W", UNICODE)
     'W₀W'
     """

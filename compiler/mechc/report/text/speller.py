@@ -19,8 +19,8 @@ from ..made_names import MadeNames
 from ..put_in import GivenQuantity, in_degrees
 from ..sentences.speller import angles_of, couples_of, guided_of, own_names
 from . import printer
+from .character_sets import ASCII, UNICODE, TextSigns, tens
 from .repeated import RepeatedSums
-from .signs import ASCII, UNICODE, TextSigns, tens
 
 textwrap = Later("textwrap")
 """Breaks lines; most of what ``check`` says fits into one."""

@@ -28,7 +28,7 @@ from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
 from ..columns import legend, repeated
 from ..languages.registry import locale
 from ..sentences.limits import dead_centre
-from .signs import ASCII, tens
+from .character_sets import ASCII, tens
 
 ENDS = {
     (False, False): "",

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from ...statics.verdict import Trial, Untried, Verdict
 from ..languages.en.checked import WORDS as EN
 from ..languages.locale import Words
-from .signs import ASCII, tens
+from .character_sets import ASCII, tens
 
 HEAD = ("result", "pose", "power", "statics", "error", "condition")
 

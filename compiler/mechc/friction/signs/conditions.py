@@ -4,18 +4,18 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal
 
-from ..algebra.from_formula import to_product
-from ..algebra.intervals import IntervalBox, sign
-from ..algebra.product import Product, Sum
-from ..algebra.sums import add
-from ..formula import tree
-from ..formula.layout import has_minus
-from ..formula.operations import count_operations
-from ..formula.to_text import text
-from ..formula.tree import Formula, negative, total
-from ..named import NamedTuple
-from .signs import bare, exact_sign, is_root
-from .signs_at_a_pose import SignsAtOnePose
+from ...algebra.from_formula import to_product
+from ...algebra.intervals import IntervalBox, sign
+from ...algebra.product import Product, Sum
+from ...algebra.sums import add
+from ...formula import tree
+from ...formula.layout import has_minus
+from ...formula.operations import count_operations
+from ...formula.to_text import text
+from ...formula.tree import Formula, negative, total
+from ...named import NamedTuple
+from .at_one_pose import SignsAtOnePose
+from .names import bare, exact_sign, is_root
 
 Operator = Literal["<", "<=", ">", ">=", "="]
 

@@ -5,16 +5,16 @@ zero, of either sign. It has a sense where it is more than that against its size
 be were every sine 1 and all terms of one sign. Page and code have no friction in a joint without a
 sense, and nothing is said there of how a joint at rest may hold. Where a slip is zero for once
 along the drive, that is the limit of neither side: the value at the default pose is taken from
-:mod:`.at_rest`, that along a stroke from its sides.
+:mod:`..at_rest`, that along a stroke from its sides.
 """
 
 from collections.abc import Iterator
 from fractions import Fraction
 
-from ..algebra.factors import CIRCLE, ConstantSymbol, Factor, Opaque, Trig
-from ..algebra.product import Product, Sum
-from ..algebra.sums import BoundSum
-from ..formula.tree import ONE, Call, Formula, number, product, total
+from ...algebra.factors import CIRCLE, ConstantSymbol, Factor, Opaque, Trig
+from ...algebra.product import Product, Sum
+from ...algebra.sums import BoundSum
+from ...formula.tree import ONE, Call, Formula, number, product, total
 
 POSITIVE = frozenset({"sqrt", "hypot", "abs", "exp"})
 """Functions that have no negative values."""
@@ -23,9 +23,9 @@ POSITIVE = frozenset({"sqrt", "hypot", "abs", "exp"})
 def sense_of(value: Product) -> Formula:
     """Return 1, -1, or 0 where nothing but rounding is left of a value.
 
-    >>> from ..algebra.angle import Angle
-    >>> from ..algebra.trigonometry import sine
-    >>> from ..formula.to_text import text
+    >>> from ...algebra.angle import Angle
+    >>> from ...algebra.trigonometry import sine
+    >>> from ...formula.to_text import text
     >>> text(sense_of(Product.symbol("a") * sine(Angle.of("t"))))
     'sense(a*sin(t), abs(a))'
     """

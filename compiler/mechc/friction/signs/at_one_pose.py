@@ -3,20 +3,20 @@
 import math
 from collections.abc import Mapping, Sequence, Set
 
-from ..algebra.angle import Angle
-from ..algebra.factors import Factor, Opaque, Trig
-from ..algebra.intervals import IntervalBox, NumberInterval, sign
-from ..algebra.product import Product, Sum
-from ..algebra.sums import add
-from ..algebra.trigonometry import cosine, sine
-from ..formula.evaluate import evaluate
-from ..formula.tree import Formula
-from ..model.boxes import POSITIVE
-from ..power.tolerances import VANISHED
-from .naming import Meanings, OwnNames
+from ...algebra.angle import Angle
+from ...algebra.factors import Factor, Opaque, Trig
+from ...algebra.intervals import IntervalBox, NumberInterval, sign
+from ...algebra.product import Product, Sum
+from ...algebra.sums import add
+from ...algebra.trigonometry import cosine, sine
+from ...formula.evaluate import evaluate
+from ...formula.tree import Formula
+from ...model.boxes import POSITIVE
+from ...power.tolerances import VANISHED
+from ..naming import Meanings, OwnNames
+from ..tolerances import ACUTE_MARGIN
+from .names import Inverse, SignNames, bare, exact_sign, is_root
 from .senses import sense_of
-from .signs import Inverse, SignNames, bare, exact_sign, is_root
-from .tolerances import ACUTE_MARGIN
 
 ACUTE = NumberInterval(ACUTE_MARGIN, math.pi / 2 - ACUTE_MARGIN)
 """What a turned line turns by: the arc of a positive sine or tangent."""
