@@ -20,9 +20,9 @@ from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Compiled, Options
 from mechc.formula.evaluate import solution
 from mechc.report.text.derivation import render
-from mechc.routine.check import broken_promises
 from mechc.routine.evaluate import evaluate
 from mechc.routine.evaluate import pose as interpreted
+from mechc.routine.promises import broken_promises
 from mechc.routine.steps import PoseProgram, Solve
 from mechc.source import Source
 from routine_samples import solved

@@ -7,7 +7,7 @@ import pytest
 from good_mechanisms import ALL, begun
 from mechc.compilation import Compilation
 from mechc.formula.tree import ZERO, Symbol, number, product
-from mechc.friction.check import broken_promises
+from mechc.friction.promises import broken_promises
 from mechc.frozen import replace
 from mechc.model.mechanism import Require
 from mechc.model.result import Definition

@@ -7,7 +7,7 @@ from mechanisms import sample
 from mechc.algebra.product import ONE
 from mechc.compilation import Compilation
 from mechc.frozen import replace
-from mechc.kinematics.check import broken_promises
+from mechc.kinematics.promises import broken_promises
 from mechc.kinematics.readable import readable_plan
 from mechc.source import Source
 from small_poses import (

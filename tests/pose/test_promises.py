@@ -12,7 +12,7 @@ from mechc.compilation import Compilation
 from mechc.formula.tree import Call, Symbol, number, product
 from mechc.frozen import replace
 from mechc.model.mechanism import Drive
-from mechc.pose.check import broken_promises
+from mechc.pose.promises import broken_promises
 from mechc.source import Source
 from small_poses import HERE, VALUES, arm, at, lever, slider_crank, two_bars
 

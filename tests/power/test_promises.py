@@ -8,7 +8,7 @@ from mechc.compilation import Compilation
 from mechc.formula.tree import Symbol, product, total
 from mechc.frozen import replace
 from mechc.model.result import Definition
-from mechc.power.check import broken_promises
+from mechc.power.promises import broken_promises
 from mechc.source import Source
 from mechc.units import FORCE
 

@@ -13,8 +13,8 @@ from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.json.to_json import TARGET as JSON
 from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Options
-from mechc.routine.check import broken_promises
 from mechc.routine.common_steps import STRETCH
+from mechc.routine.promises import broken_promises
 from mechc.routine.steps import Common, names_of, programs
 from mechc.source import Source
 from run_targets import (

@@ -18,9 +18,9 @@ from mechc.formula.walk import walk
 from mechc.frozen import replace
 from mechc.model.mechanism import Mechanism, Require
 from mechc.model.result import Definition, Result
-from mechc.routine.check import broken_promises
 from mechc.routine.evaluate import compute, evaluate
 from mechc.routine.from_results import program
+from mechc.routine.promises import broken_promises
 from mechc.routine.sharing import share
 from mechc.routine.steps import Function, Step
 from mechc.units import NUMBER

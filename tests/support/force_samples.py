@@ -9,7 +9,7 @@ import numpy as np
 from force_mechanisms import Sample, given
 from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError, Report
-from mechc.friction.check import broken_promises
+from mechc.friction.promises import broken_promises
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from mechc.syntax import ast

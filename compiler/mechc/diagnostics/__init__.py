@@ -33,7 +33,7 @@ if not TYPE_CHECKING:
     from ..later import waiting
 
     WORDS = {
-        *("check", "closures", "drawing", "drawn_places", "emission", "files", "friction"),
+        *("closures", "drawing", "drawn_places", "emission", "expectations", "files", "friction"),
         *("joining", "kinematics", "open_loops", "plot", "pose", "power", "reactions"),
         *("sheets", "statics", "stroke", "syntax", "syntax_limits", "syntax_yaml", "uses"),
     }

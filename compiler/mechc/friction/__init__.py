@@ -4,7 +4,7 @@ In order: ``friction_pairs``, ``normal_forces``, then a closed form body after b
 or for guides alone (``linear``), else the ``coupled`` equations (``iterated``). What a
 coefficient, a law and lengths make of a joint's factor is read in ``..model.forces.friction``.
 
-Promises, which ``check.broken_promises`` looks after: friction takes its power from the drive;
+Promises, which ``promises.broken_promises`` looks after: friction takes its power from the drive;
 a result whose signs follow from the pose is printed for the default pose, where both are one
 number; every name, in guards and conditions too, is defined, and means one thing in all results.
 """

@@ -1,6 +1,6 @@
 """The velocity-constraint graph and the plan that solves it.
 
-Promises, which ``check.broken_promises`` looks after: every point's velocity is a linear form
+Promises, which ``promises.broken_promises`` looks after: every point's velocity is a linear form
 in the unknown speeds; each unknown is a drive or found by one block, and the plan's blocks come
 in an order in which each uses the drives and earlier blocks only; in every motion relations
 hold, links keep their lengths, and sliders stay on their guides. Which relations are independent

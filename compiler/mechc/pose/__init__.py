@@ -1,6 +1,6 @@
 """Which directions are given and which follow; loops closed.
 
-Promises, which ``check.broken_promises`` looks after: every pair of points of a link has a
+Promises, which ``promises.broken_promises`` looks after: every pair of points of a link has a
 vector, every guide and force a direction; definitions mention parameters and earlier ones only,
 and no symbol is undefined; bodies meet at the default pose; rates are how definitions change
 with the drive.

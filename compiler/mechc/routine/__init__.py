@@ -1,6 +1,6 @@
 """The language-neutral straight-line program and its interpreter, the oracle of every target.
 
-Promises, which ``check.broken_promises`` looks after: a function's steps mention its
+Promises, which ``promises.broken_promises`` looks after: a function's steps mention its
 inputs and earlier steps only; no name means two things; every input is used; no part
 is computed twice; powers with small whole exponents are products.
 """

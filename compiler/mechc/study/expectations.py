@@ -17,7 +17,7 @@ from typing import Literal
 
 from ..algebra.equality import equal
 from ..diagnostics import Diagnostic, Report
-from ..diagnostics import check as messages
+from ..diagnostics import expectations as messages
 from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Formula

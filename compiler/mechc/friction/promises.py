@@ -11,8 +11,8 @@ from ..model.mechanism import Efficiency, LoadRatio, Mechanism, Require, ResultT
 from ..model.parts.targets import SIGNS
 from ..model.result import Definition, FrictionResult, Result
 from ..model.values import Values, completed, holds, valid_form
-from ..power.check import undefined
 from ..power.numbers import default_values
+from ..power.promises import undefined
 from .solution import FrictionSolution, SolvedWithFriction
 from .tolerances import SAME_RESULT
 

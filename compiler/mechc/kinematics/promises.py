@@ -7,7 +7,7 @@ from ..algebra.angle import QUARTER
 from ..algebra.modular import ModularPoint
 from ..algebra.product import ONE, ZERO, Product
 from ..formula.walk import symbols
-from ..pose.check import known_names
+from ..pose.promises import known_names
 from .forms import combined, projection, subtract
 from .graph import LinearForm
 from .plan import Plan
