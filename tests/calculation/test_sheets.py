@@ -130,7 +130,7 @@ def test_the_status_is_the_first_condition_that_fails() -> None:
 
 
 def test_both_notations_are_one_sheet(tmp_path: Path) -> None:
-    from mechc.cli.fmt import layout
+    from mechc.cli.commands.fmt import layout
 
     yaml = layout(Source("cases.mech", SHEET), "yaml")
     assert mechc.loads(yaml, "cases.yaml").evaluate() == mechc.loads(SHEET).evaluate()

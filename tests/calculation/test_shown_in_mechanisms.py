@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 import mechc
-from mechc.cli.check import report
+from mechc.cli.commands.check import report
 from mechc.report.text.derivation import render
 
 PIN = """

@@ -18,7 +18,7 @@ from mechc import __version__
 from mechc.cli import main
 from mechc.cli.by_click import mechc
 from mechc.cli.commands import COMMANDS
-from mechc.cli.list import NOTED, noted
+from mechc.cli.commands.list import NOTED, noted
 from mechc.data_folders import data
 from mechc.files import library
 from paths import EXAMPLES
@@ -443,7 +443,7 @@ def test_fmt_of_a_folder_names_what_changes_and_leaves_out_what_is_hidden(
 def short_library(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The library with every eighth of its mechanisms: results are computed to be listed."""
     names = sorted(library())[::8]
-    monkeypatch.setattr("mechc.cli.list.library", lambda: {n: library()[n] for n in names})
+    monkeypatch.setattr("mechc.cli.commands.list.library", lambda: {n: library()[n] for n in names})
     return names
 
 
@@ -489,7 +489,9 @@ def test_a_title_noted_of_another_text_is_read_again(
     run: Mechc, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = run("list").out
-    monkeypatch.setattr("mechc.cli.list._noted", lambda: {"four_bar": (0, "something else")})
+    monkeypatch.setattr(
+        "mechc.cli.commands.list._noted", lambda: {"four_bar": (0, "something else")}
+    )
     assert run("list").out == before
 
 

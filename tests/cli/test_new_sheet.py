@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import mechc
-from mechc.cli.new import starter
+from mechc.cli.commands.new import starter
 
 FINDS = {
     "mech": ("find k = P/F\n", "find k = P/F\nfind R_O\n"),

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from mechc.cli import main
-from mechc.cli.show import text_of
+from mechc.cli.commands.show import text_of
 from mechc.compilation import VIEWS, Compilation
 from mechc.files import find, read
 from mechc.source import Source

@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from mechc.cli.explain import load_all
+from mechc.cli.commands.explain import load_all
 from mechc.compilation import Compilation, complete
 from mechc.diagnostics import CATALOGUE, MechcError
 from mechc.source import Source

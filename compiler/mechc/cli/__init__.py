@@ -1,4 +1,6 @@
-"""The command line. A command's module is imported when the command is used.
+"""The command line: ``main`` is the way in, and each of the ``commands`` has a module.
+
+A line is read by ``usage``: by ``plain`` where it is right, else, and for help, ``by_click``.
 
 Data goes to standard output, messages to standard error. Exit status: 0 done, 1 the
 description is wrong, 2 the command line is, 3 a file or the environment, 4 a limit,

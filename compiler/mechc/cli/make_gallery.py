@@ -12,7 +12,7 @@ from ..compilation import Compilation
 from ..data_folders import data
 from ..emit.svg.picture import to_svg
 from ..files import make_folder, mechanisms, read, write_all
-from .list import NOTED, noted
+from .commands.list import NOTED, noted
 
 HEADING = "## Pictures\n"
 

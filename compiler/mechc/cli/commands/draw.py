@@ -3,27 +3,27 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..compilation import Compilation, checked, warnings
-from ..diagnostics import MechcError
-from ..diagnostics.drawing import no_free_bodies, no_plans, nothing_to_draw
-from ..drawing.drawing import Drawing
-from ..drawing.language_letters import in_letters
-from ..drawing.moving import Marks
-from ..emit.picture import FORMATS, in_format_of
-from ..emit.svg.picture import to_svg
-from ..files import write_all
-from ..formula.letters import letters
-from ..report.languages.registry import locale
-from ..statics.diagram import friction_circles
-from ..syntax.settings import Settings
-from ..syntax.vocabulary import LANGUAGES
-from . import usage
-from .collisions import refuse_collisions
-from .inputs import claim_of, description_argument, settings_option, stdin_option
-from .opening import opened
-from .session import session, session_options
-from .terminal import give
-from .usage import Word
+from ...compilation import Compilation, checked, warnings
+from ...diagnostics import MechcError
+from ...diagnostics.drawing import no_free_bodies, no_plans, nothing_to_draw
+from ...drawing.drawing import Drawing
+from ...drawing.language_letters import in_letters
+from ...drawing.moving import Marks
+from ...emit.picture import FORMATS, in_format_of
+from ...emit.svg.picture import to_svg
+from ...files import write_all
+from ...formula.letters import letters
+from ...report.languages.registry import locale
+from ...statics.diagram import friction_circles
+from ...syntax.settings import Settings
+from ...syntax.vocabulary import LANGUAGES
+from .. import usage
+from ..collisions import refuse_collisions
+from ..inputs import claim_of, description_argument, settings_option, stdin_option
+from ..opening import opened
+from ..session import session, session_options
+from ..terminal import give
+from ..usage import Word
 
 STANDARD_OUTPUT = Path("-")
 

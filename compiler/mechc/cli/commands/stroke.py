@@ -2,17 +2,17 @@
 
 from collections.abc import Iterator, Sequence
 
-from ..compilation import checked, warnings
-from ..report.text.csv_of_stroke import DIALECTS, to_csv
-from ..report.text.stroke import to_table
-from ..syntax.settings import Settings
-from ..syntax.vocabulary import LANGUAGES
-from . import usage
-from .inputs import description_argument, settings_option, stdin_option
-from .opening import opened
-from .session import session, session_options
-from .terminal import give, line_width, say, watched
-from .usage import WholeNumber, Word
+from ...compilation import checked, warnings
+from ...report.text.csv_of_stroke import DIALECTS, to_csv
+from ...report.text.stroke import to_table
+from ...syntax.settings import Settings
+from ...syntax.vocabulary import LANGUAGES
+from .. import usage
+from ..inputs import description_argument, settings_option, stdin_option
+from ..opening import opened
+from ..session import session, session_options
+from ..terminal import give, line_width, say, watched
+from ..usage import WholeNumber, Word
 
 UNWATCHED_ROWS = 200
 """More rows than this take long enough to be watched."""

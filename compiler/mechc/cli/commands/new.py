@@ -4,14 +4,14 @@ import re
 from pathlib import Path
 from typing import Literal
 
-from ..data_folders import data
-from ..diagnostics import MechcError
-from ..diagnostics.files import file_exists
-from ..files import SUFFIXES, write_all
-from ..source import Source
-from . import usage
+from ...data_folders import data
+from ...diagnostics import MechcError
+from ...diagnostics.files import file_exists
+from ...files import SUFFIXES, write_all
+from ...source import Source
+from .. import usage
+from ..terminal import give, say
 from .fmt import layout
-from .terminal import give, say
 
 
 @usage.command("new")

@@ -4,11 +4,11 @@ from importlib import import_module
 from pkgutil import walk_packages
 from textwrap import indent
 
-from .. import diagnostics
-from ..diagnostics import CATALOGUE, near_miss
-from . import usage
-from .terminal import say
-from .usage import beginning
+from ... import diagnostics
+from ...diagnostics import CATALOGUE, near_miss
+from .. import usage
+from ..terminal import say
+from ..usage import beginning
 
 
 def _codes(begun: str) -> list[usage.Proposal]:

@@ -2,18 +2,18 @@
 
 from collections.abc import Iterable
 
-from ..compilation import Compilation, complete, warnings
-from ..diagnostics import MechcError
-from ..syntax.settings import Settings
-from ..syntax.vocabulary import LANGUAGES
-from . import usage
-from .check_lines import failing, overview_of, report
-from .exit_status import status
-from .inputs import expanded, settings_option, stdin_option
-from .opening import opened
-from .session import session, session_options
-from .terminal import line_width, say
-from .usage import Word, descriptions
+from ...compilation import Compilation, complete, warnings
+from ...diagnostics import MechcError
+from ...syntax.settings import Settings
+from ...syntax.vocabulary import LANGUAGES
+from .. import usage
+from ..check_lines import failing, overview_of, report
+from ..exit_status import status
+from ..inputs import expanded, settings_option, stdin_option
+from ..opening import opened
+from ..session import session, session_options
+from ..terminal import line_width, say
+from ..usage import Word, descriptions
 
 
 @usage.command("check", repeatable=True)

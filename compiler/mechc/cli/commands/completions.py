@@ -2,11 +2,11 @@
 
 from click.shell_completion import BashComplete, ShellComplete, get_completion_class
 
-from ..data_folders import data
-from . import usage
-from .by_click import mechc
-from .terminal import give
-from .usage import Word
+from ...data_folders import data
+from .. import usage
+from ..by_click import mechc
+from ..terminal import give
+from ..usage import Word
 
 
 @usage.command("completions")

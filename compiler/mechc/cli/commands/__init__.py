@@ -1,9 +1,9 @@
-"""The table of the commands."""
+"""The commands: a module for each, which is imported when the command is used, and their table."""
 
 from importlib import import_module
 
-from ..named import NamedTuple
-from .usage import Command
+from ...named import NamedTuple
+from ..usage import Command
 
 
 class CommandEntry(NamedTuple):

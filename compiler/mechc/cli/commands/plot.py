@@ -3,27 +3,27 @@
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ..compilation import checked, warnings
-from ..diagnostics import MechcError
-from ..drawing.from_plot import picture
-from ..emit.picture import PLOT_FORMATS, PlotPicture
-from ..emit.svg.picture import to_svg
-from ..files import write_all
-from ..formula.letters import letters
-from ..frozen import replace
-from ..later import pattern
-from ..plot.narrowing import ArrayFunction
-from ..plot.query import USUAL_ROWS, Query, ZoneCondition, condition
-from ..report.languages.registry import locale
-from ..syntax.settings import Settings, parse
-from ..syntax.vocabulary import LANGUAGES
-from . import usage
-from .collisions import refuse_collisions
-from .inputs import claim_of, description_argument, settings_option, stdin_option
-from .opening import check_names, opened
-from .session import session, session_options
-from .terminal import give, watched
-from .usage import WholeNumber, Word
+from ...compilation import checked, warnings
+from ...diagnostics import MechcError
+from ...drawing.from_plot import picture
+from ...emit.picture import PLOT_FORMATS, PlotPicture
+from ...emit.svg.picture import to_svg
+from ...files import write_all
+from ...formula.letters import letters
+from ...frozen import replace
+from ...later import pattern
+from ...plot.narrowing import ArrayFunction
+from ...plot.query import USUAL_ROWS, Query, ZoneCondition, condition
+from ...report.languages.registry import locale
+from ...syntax.settings import Settings, parse
+from ...syntax.vocabulary import LANGUAGES
+from .. import usage
+from ..collisions import refuse_collisions
+from ..inputs import claim_of, description_argument, settings_option, stdin_option
+from ..opening import check_names, opened
+from ..session import session, session_options
+from ..terminal import give, watched
+from ..usage import WholeNumber, Word
 
 STANDARD_OUTPUT = Path("-")
 

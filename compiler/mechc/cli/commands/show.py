@@ -2,18 +2,18 @@
 
 import json
 
-from ..compilation import VIEWS, Compilation
-from ..report.text import free_bodies as bodies_to_text
-from ..report.text import verdict as statics
-from ..report.text.derivation import render
-from ..syntax.settings import Settings
-from . import usage
-from .dump import dump, nested
-from .inputs import description_argument, settings_option, stdin_option
-from .opening import opened
-from .session import session, session_options
-from .terminal import give, say
-from .usage import Word
+from ...compilation import VIEWS, Compilation
+from ...report.text import free_bodies as bodies_to_text
+from ...report.text import verdict as statics
+from ...report.text.derivation import render
+from ...syntax.settings import Settings
+from .. import usage
+from ..dump import dump, nested
+from ..inputs import description_argument, settings_option, stdin_option
+from ..opening import opened
+from ..session import session, session_options
+from ..terminal import give, say
+from ..usage import Word
 
 
 @usage.command("show")

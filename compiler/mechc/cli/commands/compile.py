@@ -3,17 +3,17 @@
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from .. import events
-from ..compilation import Compilation, checked, emit, warnings
-from ..diagnostics import near_miss
-from ..emit import registry
-from ..emit.target import Emitted, Options
-from ..files import make_folder, write_all
-from ..syntax.settings import Settings
-from ..syntax.vocabulary import LANGUAGES
-from . import usage
-from .collisions import claim, refuse_collisions
-from .inputs import (
+from ... import events
+from ...compilation import Compilation, checked, emit, warnings
+from ...diagnostics import near_miss
+from ...emit import registry
+from ...emit.target import Emitted, Options
+from ...files import make_folder, write_all
+from ...syntax.settings import Settings
+from ...syntax.vocabulary import LANGUAGES
+from .. import usage
+from ..collisions import claim, refuse_collisions
+from ..inputs import (
     by_option,
     claim_of,
     description_argument,
@@ -21,11 +21,11 @@ from .inputs import (
     settings_option,
     stdin_option,
 )
-from .opening import opened
-from .output_paths import OutputPath, makefile_rule, outputs, placed, refuse_idle
-from .session import session, session_options
-from .terminal import give
-from .usage import Word, beginning, paths
+from ..opening import opened
+from ..output_paths import OutputPath, makefile_rule, outputs, placed, refuse_idle
+from ..session import session, session_options
+from ..terminal import give
+from ..usage import Word, beginning, paths
 
 Text = tuple[Path, str]
 """A file to be written."""

@@ -4,20 +4,20 @@ from difflib import unified_diff
 from pathlib import Path
 from typing import Literal
 
-from ..diagnostics import MechcError
-from ..files import write_all
-from ..named import NamedTuple
-from ..source import Source
-from ..syntax import ast
-from ..syntax.notation import is_yaml, read, report_on
-from ..syntax.to_dsl import to_dsl
-from ..syntax.to_yaml import in_yaml_order, to_yaml
-from . import usage
-from .exit_status import status
-from .inputs import expanded, source_of, stdin_option
-from .session import session, session_options
-from .terminal import give, warn
-from .usage import Word, paths
+from ...diagnostics import MechcError
+from ...files import write_all
+from ...named import NamedTuple
+from ...source import Source
+from ...syntax import ast
+from ...syntax.notation import is_yaml, read, report_on
+from ...syntax.to_dsl import to_dsl
+from ...syntax.to_yaml import in_yaml_order, to_yaml
+from .. import usage
+from ..exit_status import status
+from ..inputs import expanded, source_of, stdin_option
+from ..session import session, session_options
+from ..terminal import give, warn
+from ..usage import Word, paths
 
 SourceNotation = Literal["mech", "yaml"]
 

@@ -8,14 +8,14 @@ from textwrap import wrap
 from typing import Any
 from zlib import crc32
 
-from ..data_folders import data
-from ..diagnostics import MechcError
-from ..files import library, read
-from ..named import NamedTuple
-from ..syntax.vocabulary import LANGUAGES
-from . import opening, usage
-from .terminal import give, line_width, say
-from .usage import Word
+from ...data_folders import data
+from ...diagnostics import MechcError
+from ...files import library, read
+from ...named import NamedTuple
+from ...syntax.vocabulary import LANGUAGES
+from .. import opening, usage
+from ..terminal import give, line_width, say
+from ..usage import Word
 
 NOTED = "titles.json"
 """The file in the library that ``python -m mechc.cli.make_gallery`` makes anew: reading all the

@@ -2,18 +2,18 @@
 
 from pathlib import Path
 
-from ..compilation import Compilation, checked, warnings
-from ..emit.latex.comparison import Compared, to_table
-from ..files import write_all
-from ..syntax.vocabulary import LANGUAGES
-from . import usage
-from .collisions import refuse_collisions
-from .inputs import NAMELESS, claim_of, expanded
-from .opening import opened
-from .output_paths import refuse_other_texts
-from .session import session, session_options
-from .terminal import give
-from .usage import Word, descriptions, paths
+from ...compilation import Compilation, checked, warnings
+from ...emit.latex.comparison import Compared, to_table
+from ...files import write_all
+from ...syntax.vocabulary import LANGUAGES
+from .. import usage
+from ..collisions import refuse_collisions
+from ..inputs import NAMELESS, claim_of, expanded
+from ..opening import opened
+from ..output_paths import refuse_other_texts
+from ..session import session, session_options
+from ..terminal import give
+from ..usage import Word, descriptions, paths
 
 
 @usage.command("report")

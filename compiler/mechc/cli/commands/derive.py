@@ -1,20 +1,20 @@
 """``mechc derive``: the derivation, for the terminal."""
 
-from ..calculation.calculation import Calculation
-from ..compilation import complete, warnings
-from ..diagnostics import MechcError
-from ..report.text import note
-from ..report.text.derivation import render, render_brief
-from ..report.text.speller import speller
-from ..syntax.settings import Settings
-from ..syntax.vocabulary import LANGUAGES
-from . import usage
-from .check_lines import refused
-from .inputs import by_option, description_argument, settings_option, stdin_option
-from .opening import opened
-from .session import session, session_options
-from .terminal import columns, say, speaks_unicode
-from .usage import Word
+from ...calculation.calculation import Calculation
+from ...compilation import complete, warnings
+from ...diagnostics import MechcError
+from ...report.text import note
+from ...report.text.derivation import render, render_brief
+from ...report.text.speller import speller
+from ...syntax.settings import Settings
+from ...syntax.vocabulary import LANGUAGES
+from .. import usage
+from ..check_lines import refused
+from ..inputs import by_option, description_argument, settings_option, stdin_option
+from ..opening import opened
+from ..session import session, session_options
+from ..terminal import columns, say, speaks_unicode
+from ..usage import Word
 
 
 @usage.command("derive", repeatable=True)
