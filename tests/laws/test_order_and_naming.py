@@ -18,7 +18,7 @@ from mechc.diagnostics import MechcError
 from mechc.formula.to_text import text as written
 from mechc.model.result import Result
 from mechc.study.analysis import DeadCentre, Vanishing
-from mechc.study.intervals import LockingInterval
+from mechc.study.locking_intervals import LockingInterval
 
 ENOUGH = 1e-7
 """What two results may differ by, as a part of the larger: they are rounded in other orders."""

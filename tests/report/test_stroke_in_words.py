@@ -9,7 +9,7 @@ from good_mechanisms import loaded
 from mechc.report.languages.registry import locale
 from mechc.report.text.stroke import ENDS, KINDS, to_table
 from mechc.study.analysis import NoCentre
-from mechc.study.intervals import DriveState
+from mechc.study.locking_intervals import DriveState
 from mechc.study.pose_sweep import EXCLUDED, NO_POSE
 from mechc.study.stroke.stretches import BEYOND, FLAT
 from mechc.study.stroke.stroke import OnTheWay

@@ -18,7 +18,12 @@ from mechc.formula.to_text import text
 from mechc.report.languages.en import LOCALE
 from mechc.source import Source
 from mechc.study.analysis import Analysis
-from mechc.study.intervals import EfficiencyRange, Locking, LockingInterval, LockingIntervals
+from mechc.study.locking_intervals import (
+    EfficiencyRange,
+    Locking,
+    LockingInterval,
+    LockingIntervals,
+)
 from mechc.study.states import RatioAlong
 from paths import LIBRARY
 from small_mechanisms import slider_crank, wedges

@@ -19,7 +19,7 @@ from mechc.model.values import defaults, dependent, independent
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function
 from mechc.study.analysis import Analysis
-from mechc.study.intervals import USUAL, EfficiencyRange, LockingInterval, LockingIntervals
+from mechc.study.locking_intervals import USUAL, EfficiencyRange, LockingInterval, LockingIntervals
 from statements import evaluate as value_of
 from statements import poses, with_rest
 

@@ -33,8 +33,9 @@ if not TYPE_CHECKING:
     from ..later import waiting
 
     WORDS = {
-        *("closures", "drawing", "drawn_places", "emission", "expectations", "files", "friction"),
-        *("joining", "kinematics", "open_loops", "plot", "pose", "power", "reactions"),
-        *("sheets", "statics", "stroke", "syntax", "syntax_limits", "syntax_yaml", "uses"),
+        *("closures", "drawing", "drawn_places", "emission", "equilibrium", "expectations"),
+        *("files", "friction", "joining", "kinematics", "open_loops", "plot", "pose"),
+        *("power", "reactions", "sheets", "statics", "stroke", "syntax", "syntax_limits"),
+        *("syntax_yaml", "uses"),
     }
     __getattr__ = waiting(__name__, WORDS | {"render"})

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 from ..diagnostics import Report
-from ..diagnostics import emission as messages
+from ..diagnostics import equilibrium as messages
 from ..kinematics.plan import Plan
 from ..model.mechanism import LoadForm, LoadRatio, ResultTarget
 from ..pose.pose import Pose

@@ -12,7 +12,6 @@ from fractions import Fraction
 
 from ..named import NamedTuple
 from .names import split_name
-from .operations import split_fraction
 from .tree import (
     Call,
     Formula,
@@ -28,6 +27,7 @@ from .tree import (
     number,
     power,
     product,
+    split_fraction,
     total,
 )
 from .walk import children, rebuild

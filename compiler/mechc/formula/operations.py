@@ -1,28 +1,20 @@
-"""The length of a formula, and the line of a fraction in it."""
+"""The length of a formula: how many operations it takes."""
 
-from fractions import Fraction
 from typing import assert_never
 
-from .tree import Call, Compound, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
-
-
-def split_fraction(formula: Product) -> tuple[Fraction, list[Formula], list[Formula]]:
-    """Split a product into its coefficient, the factors above the line and those below.
-
-    The factors below are given with positive exponents.
-    """
-    coefficient = Fraction(1)
-    above: list[Formula] = []
-    below: list[Formula] = []
-    for factor in formula.factors:
-        match factor:
-            case Number(value):
-                coefficient *= value
-            case Power(base, Number(value)) if value < 0:
-                below.append(power(base, Number(-value)))
-            case _:
-                above.append(factor)
-    return coefficient, above, below
+from .tree import (
+    Call,
+    Compound,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    split_fraction,
+)
 
 
 def count_operations(formula: Formula) -> int:

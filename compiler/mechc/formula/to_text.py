@@ -7,7 +7,6 @@ from typing import assert_never
 from . import choices
 from .evaluate import equations
 from .layout import TRIGONOMETRIC, decimal, diameters_behind, in_degrees, is_long
-from .operations import split_fraction
 from .tree import (
     Call,
     Constant,
@@ -24,6 +23,7 @@ from .tree import (
     negative,
     number,
     power,
+    split_fraction,
     total,
 )
 from .walk import children, rebuild

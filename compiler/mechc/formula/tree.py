@@ -251,3 +251,22 @@ def negative(formula: Formula) -> Formula:
 def quotient(above: Formula, below: Formula) -> Formula:
     """Return ``above / below``."""
     return product([(above, 1), (below, -1)])
+
+
+def split_fraction(formula: Product) -> tuple[Fraction, list[Formula], list[Formula]]:
+    """Split a product into its coefficient, the factors above the line and those below.
+
+    The factors below are given with positive exponents.
+    """
+    coefficient = Fraction(1)
+    above: list[Formula] = []
+    below: list[Formula] = []
+    for factor in formula.factors:
+        match factor:
+            case Number(value):
+                coefficient *= value
+            case Power(base, Number(value)) if value < 0:
+                below.append(power(base, Number(-value)))
+            case _:
+                above.append(factor)
+    return coefficient, above, below

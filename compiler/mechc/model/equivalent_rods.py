@@ -5,8 +5,8 @@ Everything behind the model knows links and joints alone.
 
 from collections.abc import Sequence
 
+from ..diagnostics.model import circular_slots as slot_messages
 from ..diagnostics.model import joints as messages
-from ..diagnostics.model import slots_and_spread_loads as slot_messages
 from ..frozen import replace
 from .entries import vector_between
 from .mechanism import ArcSlot, Arrow, Geometry, Link, Mechanism

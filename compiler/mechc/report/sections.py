@@ -18,7 +18,7 @@ from ..model.parts.targets import Efficiency, LoadRatio, SpeedRatio, WithFrictio
 from ..model.result import Definition
 from ..named import NamedTuple
 from ..study.analysis import Analysis, Multiple
-from . import multiples, steps
+from . import proportional_results, steps
 from .definitions import NameLetters, as_written, given_loads, letters
 from .derivation import friction
 from .note import NoteLine, own_lines
@@ -189,7 +189,7 @@ class ShownNames:
         if not followed and not result.zeros and not result.poles:
             return None
         others = {name: f for f, name in self._ratios.items() if name != result.name}
-        found = multiples.multiple(result.formula, others, positive) if others else None
+        found = proportional_results.multiple(result.formula, others, positive) if others else None
         return found if found and followed.isdisjoint(symbols(found.factor)) else None
 
     def _inverse_of(self, result: Analysis) -> str:

@@ -7,8 +7,7 @@ any other is split, so that 1/2 and 2/3 are exact on both sides of it.
 
 from fractions import Fraction
 
-from ..formula.operations import split_fraction
-from ..formula.tree import Formula, Number, Product
+from ..formula.tree import Formula, Number, Product, split_fraction
 from ..named import NamedTuple
 
 LARGEST_DENOMINATOR = 10**22

@@ -11,7 +11,7 @@ from ..model.mechanism import Require
 from ..model.result import Definition, FrictionResult, Result
 from ..named import NamedTuple
 from ..units import Dimension
-from .intervals import EfficiencyRange, Locking, Range
+from .locking_intervals import EfficiencyRange, Locking, Range
 from .tolerances import SAME_FIGURE, SAME_RATIO, SAME_TURN
 
 

@@ -32,7 +32,7 @@ from ..units import LENGTH
 from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import locking, ratios
 from .analysis import Analysis, ClaimScope, NumericSlope, Trend, as_printed
-from .intervals import Locking
+from .locking_intervals import Locking
 from .tolerances import PRINTED_ROUNDING, SAME_RATIO
 from .trends import trend
 from .variables import with_range

@@ -15,7 +15,7 @@ from ..frozen import frozen, on_demand, replace
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
-from .intervals import Bound, DriveState, Locking, LockingInterval, LockingIntervals, Range
+from .locking_intervals import Bound, DriveState, Locking, LockingInterval, LockingIntervals, Range
 from .ratios import FrictionStudy
 from .sampling import (
     DEAD_CENTRE_CELLS,

@@ -10,7 +10,7 @@ from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, Sense,
 from ..model.parts.friction import GuideFriction, PinFriction
 from ..model.result import FrictionResult, Result
 from ..model.values import range_of
-from .intervals import USUAL, EfficiencyRange, Range
+from .locking_intervals import USUAL, EfficiencyRange, Range
 from .pose_sweep import PoseCode
 from .sampling import sampled_values
 from .states import FrictionRatios, IdealAlong, IdealRatio, RatioAlong

@@ -27,7 +27,7 @@ from ..model.parts.targets import SIGNS, Sense
 from ..model.result import FrictionResult, Result
 from ..model.values import Values
 from ..named import NamedTuple
-from .intervals import DriveState, Range
+from .locking_intervals import DriveState, Range
 from .pose_sweep import Functions
 from .sweep import Sweep
 from .tolerances import NEGLIGIBLE

@@ -11,7 +11,7 @@ from ..model.mechanism import Arrow, Mechanism
 from ..model.result import Result
 from ..model.values import own_unit, usual_units
 from ..units import ANGLE, LENGTH, in_unit
-from .intervals import Range
+from .locking_intervals import Range
 from .tolerances import EXACT, NEARLY
 
 

@@ -6,8 +6,8 @@ if not TYPE_CHECKING:
     from ...later import waiting
 
     WORDS = {
-        *("collars", "doubts", "friction", "held", "joints", "loads"),
+        *("circular_slots", "collars", "doubts", "friction", "held", "joints", "loads"),
         *("names", "quantities", "reactions", "results", "sheets", "sizes"),
-        *("slots_and_spread_loads", "translations", "wheels"),
+        *("spread_loads", "translations", "wheels"),
     }
     __getattr__ = waiting(__name__, WORDS)

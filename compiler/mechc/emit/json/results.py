@@ -17,7 +17,13 @@ from ...model.mechanism import (
 )
 from ...model.result import Result
 from ...study.analysis import Analysis, Break, ClaimScope, DeadCentre, Trend, Vanishing
-from ...study.intervals import Bound, EfficiencyRange, Locking, LockingInterval, LockingIntervals
+from ...study.locking_intervals import (
+    Bound,
+    EfficiencyRange,
+    Locking,
+    LockingInterval,
+    LockingIntervals,
+)
 from ...units import si_unit
 from ..describe import dimension_name
 from .formula import DEFINITION, FORMULA

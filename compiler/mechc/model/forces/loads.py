@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from ...diagnostics.model import loads as messages
 from ...diagnostics.model import names, sizes
-from ...diagnostics.model import slots_and_spread_loads as spread_messages
+from ...diagnostics.model import spread_loads as spread_messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import (
     Call,

@@ -4,8 +4,8 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import TypeVar
 
+from ...diagnostics.model import circular_slots as slot_messages
 from ...diagnostics.model import joints as messages
-from ...diagnostics.model import slots_and_spread_loads as slot_messages
 from ...diagnostics.model import wheels
 from ...frozen import replace
 from ...syntax import ast

@@ -2,8 +2,8 @@
 
 from collections.abc import Collection, Iterator
 
+from ...diagnostics.model import circular_slots, spread_loads
 from ...diagnostics.model import reactions as messages
-from ...diagnostics.model import slots_and_spread_loads
 from ...syntax import ast
 from ...units import ANGLE, FORCE, Dimension
 from ..mechanism import (
@@ -111,7 +111,7 @@ def _in_arc(
     if centre is None:
         return None  # what is wrong is reported at the slot
     if set(ends) != {pin, centre}:
-        scope.report.add(slots_and_spread_loads.normal_of_arc(symbol.span, pin, centre))
+        scope.report.add(circular_slots.normal_of_arc(symbol.span, pin, centre))
         return None
     return Axial(f"{centre}{pin}", ends[0], ends[1], slot=pin)
 
@@ -124,7 +124,7 @@ def check_rods(mechanism: Mechanism, scope: NameScope) -> None:
     for find in mechanism.finds:
         match find.target:
             case Axial(link) if link in spread:
-                scope.report.add(slots_and_spread_loads.spread_along_rod(find.span, link))
+                scope.report.add(spread_loads.spread_along_rod(find.span, link))
             case Axial(rope, tail, head) if rope in sliding:
                 pulling = _pulling((tail, head), mechanism)
                 fall = f"{tail}{head}"
@@ -190,7 +190,7 @@ def _normal(symbol: ast.Symbol, point: str, scope: NameScope) -> ResultTarget | 
         return None
     if point in scope.points.arcs:
         if centre := scope.points.centre(point):
-            scope.report.add(slots_and_spread_loads.normal_of_arc(symbol.span, point, centre))
+            scope.report.add(circular_slots.normal_of_arc(symbol.span, point, centre))
         return None
     sliding = {p for points in scope.points.slides for p in points}
     if point not in scope.points.guided | scope.points.touching.keys() | sliding:

@@ -8,7 +8,7 @@ from ...formula.layout import in_degrees
 from ...formula.tree import Formula, Number, Symbol, degrees, number, total
 from ...model.parts.targets import drives_from_below
 from ...study.analysis import Analysis, Extent
-from ...study.intervals import (
+from ...study.locking_intervals import (
     Bound,
     EfficiencyRange,
     Locking,

@@ -10,7 +10,7 @@ from ...formula.letters import Letters, lettered, letters, of_unit
 from ...formula.to_text import text
 from ...named import NamedTuple
 from ...study.analysis import DeadCentre
-from ...study.intervals import USUAL, EfficiencyRange
+from ...study.locking_intervals import USUAL, EfficiencyRange
 from ...study.stroke.stroke import (
     ChangePoint,
     Content,

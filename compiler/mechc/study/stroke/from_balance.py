@@ -13,7 +13,7 @@ from ...pose.motion import Motion
 from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH
 from ..analysis import Analysis
-from ..intervals import EfficiencyRange, LockingInterval
+from ..locking_intervals import EfficiencyRange, LockingInterval
 from ..pose_sweep import EXCLUDED
 from .columns import ShownQuantities, asked, named_apart
 from .extrema import extrema_along

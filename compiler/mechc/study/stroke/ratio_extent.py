@@ -11,7 +11,7 @@ from ...model.mechanism import LoadRatio, SpeedRatio, WithFriction
 from ...model.values import range_of
 from ...units import ANGLE
 from ..analysis import Analysis, Extent, Extreme, Vanishing, least_and_greatest
-from ..intervals import Range
+from ..locking_intervals import Range
 from ..pose_sweep import PoseCode
 from ..sweep import Sweep
 from ..tolerances import SAME_ZERO

@@ -8,7 +8,7 @@ from ...frozen import frozen
 from ...named import NamedTuple
 from ...units import Dimension
 from ..analysis import Cause
-from ..intervals import DriveState, EfficiencyRange
+from ..locking_intervals import DriveState, EfficiencyRange
 
 OnTheWay = Literal["branch point", "jump", "far"]
 """What only a stroke meets."""

@@ -8,7 +8,7 @@ from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, product
 from mechc.model.values import completed, defaults
-from mechc.report.multiples import multiple
+from mechc.report.proportional_results import multiple
 from mechc.report.sections import outline
 from mechc.report.sentences.remarks import remarks
 from mechc.report.text.speller import speller
