@@ -9,8 +9,8 @@ from good_mechanisms import ALL, begun
 from mechc.cli import main
 from mechc.compilation import Compilation
 from mechc.drawing.drawing import AXIS, FORCE, Arc, Polyline
-from mechc.drawing.from_diagrams import LARGEST_ARROW, SHORTEST_ARROW
 from mechc.drawing.language_letters import in_letters
+from mechc.drawing.symbols import LARGEST_ARROW, SHORTEST_ARROW
 from mechc.formula.letters import letters
 from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.report.languages.registry import locale

@@ -7,7 +7,8 @@ import pytest
 import mechc
 from mechc.compilation import compile_source
 from mechc.formula.tree import ONE, ZERO, Call, Power, Symbol, number, product, total
-from mechc.friction.at_rest import NEAR_POSE, limits, values_nearby
+from mechc.friction.at_rest import limits, values_nearby
+from mechc.friction.tolerances import NEAR_POSE
 from mechc.model.result import Definition, Result
 from mechc.source import Source
 from mechc.units import NUMBER

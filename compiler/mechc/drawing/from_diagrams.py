@@ -15,14 +15,8 @@ from .labels import AroundPoint, BesideLine
 from .lettering import name
 from .paper import Paper, on_paper
 from .sheet import Layer, Sheet
-from .symbols import off
+from .symbols import LARGEST_ARROW, SHORTEST_ARROW, off
 from .vectors import ForceVectors, heading, in_words
-
-LARGEST_ARROW = 24.0
-"""The length of the largest force in millimetres."""
-
-SHORTEST_ARROW = 3.0
-"""The length of an arrow is never less than this, in millimetres."""
 
 RADII = (symbols.COUPLE, symbols.COUPLE + 2.5)
 """How far round arrows are from their middle, in millimetres: one that is free is taken."""

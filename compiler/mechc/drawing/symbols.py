@@ -22,7 +22,10 @@ GROOVE = 11.0
 """Half the length of a circular slot."""
 
 ARROW = 13.0
-"""The length of a force's arrow."""
+"""The length of a load's arrow in a scheme, where sizes are not to scale."""
+
+LARGEST_ARROW, SHORTEST_ARROW = 24.0, 3.0
+"""The longest arrow on free bodies, where forces are to scale, and the shortest that there is."""
 
 GAP = 0.8
 """How far an arrow keeps off what it acts on."""

@@ -16,16 +16,15 @@ from ..model.values import completed, range_of
 from ..pose.pose import Pose
 from ..power.numbers import pose_values, value_of, values_along
 from ..units import ANGLE
-from .tolerances import PRECISE, SAME_RESULT
-
-NEAR_POSE = 1e-8
-"""How far from the default pose its sides are looked at, in SI."""
+from .tolerances import NEAR_POSE, PRECISE, SAME_BY_ITERATION
 
 
 def sides(result: Result, pose: Pose, number: float | None) -> tuple[float, ...]:
     """Return the limits of a result next to the default pose, none where they are its number."""
     found = limits(result, pose)
-    is_so = number is not None and all(math.isclose(s, number, rel_tol=SAME_RESULT) for s in found)
+    is_so = number is not None and all(
+        math.isclose(s, number, rel_tol=SAME_BY_ITERATION) for s in found
+    )
     return () if is_so else found
 
 
@@ -37,7 +36,7 @@ def limits(result: Result, pose: Pose) -> tuple[float, ...]:
     :func:`move <movers>` such a slip. NaN stands for a side on which nothing balances.
     """
     found = [_limit(result, pose, *side) for side in _sides(result, pose)]
-    kept = one_or_both(found, SAME_RESULT)
+    kept = one_or_both(found, SAME_BY_ITERATION)
     return kept if len(kept) < 3 else _least_and_greatest(kept)
 
 
@@ -136,4 +135,4 @@ def _limit(result: Result, pose: Pose, name: str, step: float) -> float:
     if near is None or far is None or not math.isfinite(2 * near - far):
         return math.nan
     limit, share = 2 * near - far, 1.0 if isinstance(result.target, Efficiency) else 0.0
-    return 0.0 if abs(limit) <= max(SAME_RESULT * abs(near), PRECISE * share) else limit
+    return 0.0 if abs(limit) <= max(SAME_BY_ITERATION * abs(near), PRECISE * share) else limit

@@ -25,12 +25,7 @@ from .signs.at_one_pose import SignsAtOnePose
 from .signs.conditions import Operator, SignCondition, conditions, positive
 from .signs.names import SignSymbols
 from .solution import FrictionStep
-
-NEAR_DEFAULT = 1e-3
-"""How far from the default pose signs are looked at, in radians: far enough for no rounding."""
-
-AT_REST = 1e-9
-"""What is below this so far from the pose, in SI, is zero there, too."""
+from .tolerances import AWAY_FROM_POSE, STAYS_ZERO
 
 
 @frozen
@@ -186,9 +181,9 @@ class DefaultPose:
         zeros = [formula for formula, operator in found.holds if operator == "="]
         if not zeros:
             return False
-        moved = values_near_default(self._plan.graph.pose, NEAR_DEFAULT)
+        moved = values_near_default(self._plan.graph.pose, AWAY_FROM_POSE)
         known = completed({**self.values(), **moved}, found.where)
-        return any(abs(evaluate(formula, known)) > AT_REST for formula in zeros)
+        return any(abs(evaluate(formula, known)) > STAYS_ZERO for formula in zeros)
 
     def in_free_names(self, found: DefinedFormula, endings: Sequence[str]) -> DefinedFormula:
         """Return a result of code in names that mean nothing else in what is printed."""

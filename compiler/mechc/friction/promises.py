@@ -14,7 +14,7 @@ from ..model.values import Values, completed, holds, valid_form
 from ..power.numbers import default_values
 from ..power.promises import undefined
 from .solution import FrictionSolution, SolvedWithFriction
-from .tolerances import SAME_RESULT
+from .tolerances import SAME_BY_ITERATION
 
 
 def broken_promises(solution: FrictionSolution) -> list[str]:
@@ -98,7 +98,8 @@ def _printed(result: FrictionResult, values: Values) -> Iterator[str]:
         yield f"{result.name} is printed for other signs than those of the default pose"
     number, shown = evaluate(found.formula, there), evaluate(case.formula, printed)
     if not (
-        math.isnan(number) or math.isclose(number, shown, rel_tol=SAME_RESULT, abs_tol=SAME_RESULT)
+        math.isnan(number)
+        or math.isclose(number, shown, rel_tol=SAME_BY_ITERATION, abs_tol=SAME_BY_ITERATION)
     ):
         yield f"{result.name} is {number:.9g} and printed as {shown:.9g}"
 
@@ -115,7 +116,7 @@ def _resists(result: FrictionResult, ideal: Mapping[ResultTarget | None, Result]
             yield f"{result.name} is {number:.6g}"
         case WithFriction(LoadRatio() as ratio, sense) if number is not None:
             without = ideal[ratio].default
-            if without is not None and (number - without) * SIGNS[sense] < -SAME_RESULT:
+            if without is not None and (number - without) * SIGNS[sense] < -SAME_BY_ITERATION:
                 yield f"{result.name} is {number:.6g}, {without:.6g} without friction"
         case _:
             pass
