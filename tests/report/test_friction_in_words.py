@@ -80,6 +80,16 @@ def test_equations_that_are_short_are_printed_for_either_sense_of_motion():
     assert shown.count("Newton") == 1
 
 
+def test_letters_of_what_is_iterated_are_no_names_of_the_description():
+    """A crank of radius r, or a point D, is on the same page."""
+    for written, equation in (
+        (ITERATED, "n = |r + Dn|"),
+        (ITERATED.replace("f_p", "r"), "n = |q + Dn|"),
+    ):
+        found = compile_source(Source("crank.mech", written))
+        assert equation in " ".join(render(found.derivation, found.mechanism).split())
+
+
 def test_json_gives_the_conditions_of_a_case():
     import json
 

@@ -1,6 +1,6 @@
 """Steps of friction stated for earlier results: a name has one meaning, a line stands once."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 
 from ...formula.tree import ZERO, Formula, Symbol, is_call
 from ...formula.walk import substitute, symbols
@@ -29,14 +29,17 @@ class EarlierSteps:
         iterated: Iterable[Definition] = (),
         threads: Iterable[str] = (),
         loads: Sequence[str] = (),
+        named: Container[str] = (),
     ) -> None:
         """Begin with the angles of friction, and the forces that results find by iteration.
 
         ``threads`` are the points at which screws have friction in their threads. The names of
-        ``loads`` are those that these have without friction.
+        ``loads`` are those that these have without friction. The description has ``named`` its own
+        quantities and points, so that no letter of the page may be one of these.
         """
         self.turns = set(turns)
         """Names of angles by which friction turns a force, those of friction itself."""
+        self.named = named
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
         self._found: dict[str, Formula] = {name: Symbol(name) for name in loads} | dict(iterated)

@@ -1,6 +1,6 @@
 """How friction comes into a result, body after body, as a teacher would write it."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import assert_never
 
@@ -50,21 +50,15 @@ _OF_JOINTS: Mapping[tuple[StepKind, bool], SentenceKind] = {
 
 _AT_PINS = ("internal", "external", "parallel", "single")
 
-_CHANGES = product([(Symbol("D"), 1), (Symbol("n"), 1)])
-_SIZES = {"sizes": Symbol("n")}
-_ITERATED = {
-    **_SIZES,
-    "parts": Symbol("r"),
-    "changes": _CHANGES,
-    "whole": Call("abs", (total([Symbol("r"), _CHANGES]),)),
-}
+_FORCE = Symbol("n")
+_SIZES = {"sizes": _FORCE}
 _RATIO = Call("exp", (product([(Symbol("mu"), 1), (Symbol("theta"), 1)]),))
 _ROPE: Mapping[str, Formula] = {"ratio": _RATIO, "angle": Symbol("theta")}
 _TENSIONS = Paragraph(SentenceKind.ROPE_FRICTION, formulas=_ROPE)
 _SMALLER = Paragraph(SentenceKind.ROPE_SMALLER, formulas={"force": Symbol("S")})
 _MEAN = Paragraph(SentenceKind.ROPE_MEAN, formulas={"part": tension_share(_RATIO)})
 _SPEED = Symbol("v")
-_STRAIGHT = {"force": Symbol("n"), "speed": _SPEED}
+_STRAIGHT = {"force": _FORCE, "speed": _SPEED}
 
 
 def of_friction(solution: FrictionSolution, results: Sequence[Analysis]) -> Iterator[Explanation]:
@@ -78,7 +72,10 @@ def of_friction(solution: FrictionSolution, results: Sequence[Analysis]) -> Iter
     joints = mechanism.friction.joints
     threads = (joint.point for joint in joints if isinstance(joint, ThreadFriction))
     loads = [load.name for load in mechanism.loads]
-    earlier = EarlierSteps(mechanism.friction.parameters, iterated, threads, loads)
+    points = (point for body in mechanism.bodies for point in body.points)
+    sizes = (size.name for size in (*mechanism.parameters, *mechanism.literals))
+    named = {*loads, *points, *sizes}
+    earlier = EarlierSteps(mechanism.friction.parameters, iterated, threads, loads, named)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is not None and solved and solved[0].steps:
@@ -304,9 +301,11 @@ def _paragraphs(
         yield from earlier.enter_sentences(_of_threads(lines, _STRAIGHT, earlier))
         yield Paragraph(sentence, lines, formulas=_STRAIGHT)
     elif step.kind == "pressing":
-        pressing = {"force": Symbol("n")}
+        pressing = {"force": _FORCE}
         yield from _of_threads(equations, pressing, earlier)
         yield Paragraph(SentenceKind.PRESSING, tuple(equations), formulas=pressing)
+    elif step.kind == "iterated":
+        yield _iterated(equations, bool(step.body), earlier.named)
     else:
         yield from _of_step(step, new, equations, found, isinstance(asked.of, Axial))
 
@@ -340,10 +339,8 @@ def _of_step(
             yield Paragraph(SentenceKind.PIN_OF_RODS, (*found, *new), {"point": (step.body,)})
         case "efficiency":
             yield Paragraph(SentenceKind.EFFICIENT, tuple(equations))
-        case "first order" | "straight" | "ropes" | "pressing":
+        case "first order" | "straight" | "ropes" | "pressing" | "iterated":
             raise AssertionError("what earlier steps have said counts there")
-        case "iterated":
-            yield _iterated(equations, bool(step.body))
         case "unloaded":
             yield Paragraph(SentenceKind.UNLOADED)
         case "added" | "rod part" | "normal part" | "across" | "balance":
@@ -352,13 +349,27 @@ def _of_step(
             assert_never(step.kind)
 
 
-def _iterated(equations: Sequence[Equation], is_alone: bool) -> Paragraph:
-    """Return the equations of forces that are iterated, in words where they are long."""
+def _iterated(equations: Sequence[Equation], is_alone: bool, named: Container[str]) -> Paragraph:
+    """Return the equations of forces that are iterated, in words where they are long.
+
+    Their parts have letters by which the description has ``named`` nothing, such as a radius r.
+    """
     if equations:
         kinds = (SentenceKind.ITERATED_EQUATIONS, SentenceKind.ITERATED_EQUATION)
         return Paragraph(kinds[is_alone], tuple(equations), formulas=_SIZES)
     kinds = (SentenceKind.ITERATED, SentenceKind.ITERATED_ALONE)
-    return Paragraph(kinds[is_alone], formulas=_ITERATED)
+    parts, matrix = (
+        Symbol(next(letter for letter in letters if letter not in named))
+        for letters in (_COMPONENTS, _MATRICES)
+    )
+    changes = product([(matrix, 1), (_FORCE, 1)])
+    whole = Call("abs", (total([parts, changes]),))
+    formulas = {**_SIZES, "parts": parts, "changes": changes, "whole": whole}
+    return Paragraph(kinds[is_alone], formulas=formulas)
+
+
+_COMPONENTS, _MATRICES = ("r", "q", "n_0"), ("D", "C", "K", "Delta")
+"""Letters of the forces without friction, and of what friction changes in them; others if taken."""
 
 
 def _by_name(equations: Sequence[Equation]) -> tuple[Equation, ...]:
@@ -388,10 +399,9 @@ def _powers(
     asked: WithFriction, names: Sequence[str], earlier: EarlierSteps
 ) -> Iterator[Paragraph]:
     """Yield how the frictions that are iterated add up, and what their slips are."""
-    force = Symbol("n")
     if asked.sense == "tightening":
-        yield Paragraph(SentenceKind.POWERS, formulas={"force": force})
-    yield from _slips(names, force, earlier)
+        yield Paragraph(SentenceKind.POWERS, formulas={"force": _FORCE})
+    yield from _slips(names, _FORCE, earlier)
 
 
 def _first_order(
