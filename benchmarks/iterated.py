@@ -13,7 +13,7 @@ from measure import medians, table
 from mechc.compilation import compile_source
 from mechc.files import library, read
 from mechc.formula.derivative import jacobian
-from mechc.formula.newton import TINY
+from mechc.formula.numeric.newton import TINY
 from mechc.formula.to_text import text
 from mechc.formula.tree import Formula
 from mechc.routine.sharing import share

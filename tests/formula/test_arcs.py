@@ -20,8 +20,8 @@ from branches_by_arcs import (
     upper,
     wave,
 )
-from mechc.formula.arcs import Arcs
-from mechc.formula.newton import Way
+from mechc.formula.numeric.arcs import Arcs
+from mechc.formula.numeric.newton import Way
 
 
 @pytest.mark.parametrize("name", CURVES)
@@ -34,7 +34,7 @@ def test_an_end_is_a_fold_that_was_found(name):
 
 
 def test_no_fold_is_found_in_too_few_points(monkeypatch):
-    monkeypatch.setattr("mechc.formula.arcs.MOST_POINTS", 3)
+    monkeypatch.setattr("mechc.formula.numeric.arcs.MOST_POINTS", 3)
     assert Arcs(of_one(wave(0.7))).follow([0.0]) == (2, ())
 
 

@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from mechc.formula.jumps import Jump, is_steady, jumps, side
-from mechc.formula.roots import spaced
+from mechc.formula.numeric.jumps import Jump, is_steady, jumps, side
+from mechc.formula.numeric.roots import spaced
 
 GRID = spaced(0.0, 1.0, 40)
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from mechc.formula.roots import narrowed, roots
+from mechc.formula.numeric.roots import narrowed, roots
 
 PLACES = [i / 720 for i in range(721)]
 

@@ -6,8 +6,8 @@ from fractions import Fraction
 
 import pytest
 
-from mechc.formula.rounded_columns import RoundedColumn, RoundedColumns
-from mechc.formula.rounding import EPS, Rounding
+from mechc.formula.numeric.rounded_columns import RoundedColumn, RoundedColumns
+from mechc.formula.numeric.rounding import EPS, Rounding
 from mechc.formula.tree import Call, Formula, Number, Power, Product, Sum, Symbol, System, implicit
 
 X, Y = Symbol("x"), Symbol("y")

@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from mechc.formula.evaluate import evaluate, straight_line
-from mechc.formula.straight_line import OFTEN
+from mechc.formula.numeric.straight_line import OFTEN
 from mechc.formula.tree import Call, Formula, Number, Power, Product, Sum, Symbol
 
 X, Y = Symbol("x"), Symbol("y")

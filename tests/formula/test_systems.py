@@ -7,11 +7,11 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from mechc.formula.continuation import _Continuation, continued
 from mechc.formula.derivative import derivative
-from mechc.formula.elimination import eliminate, quick
 from mechc.formula.evaluate import evaluate, solution, solver, status, status_along
-from mechc.formula.newton import Way
+from mechc.formula.numeric.continuation import _Continuation, continued
+from mechc.formula.numeric.elimination import eliminate, quick
+from mechc.formula.numeric.newton import Way
 from mechc.formula.to_sympy import to_sympy
 from mechc.formula.to_text import text
 from mechc.formula.tree import (

@@ -11,7 +11,7 @@ from mechc.algebra.product import ONE, ZERO, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.evaluate import evaluate
-from mechc.formula.rounding import Rounding
+from mechc.formula.numeric.rounding import Rounding
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, negative, number, product, total
 from mechc.friction.chain_bodies import BodyForce, EquationsCoupled, Task, cut_free

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from mechc.compilation import Compilation
-from mechc.formula.rounding import PrintedNumber
+from mechc.formula.numeric.rounding import PrintedNumber
 from mechc.formula.tree import Symbol, number, total
 from mechc.frozen import fields, replace
 from mechc.model.mechanism import Let, Mechanism, Parameter, Require

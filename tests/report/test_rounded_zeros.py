@@ -12,7 +12,7 @@ from mechc.compilation import compile_source, emit
 from mechc.diagnostics import MechcError
 from mechc.emit import registry
 from mechc.emit.target import Options
-from mechc.formula.rounding import EPS, Rounding
+from mechc.formula.numeric.rounding import EPS, Rounding
 from mechc.formula.tree import Call, Symbol, degrees, negative, number, power, product, total
 from mechc.report.text.csv_of_stroke import to_csv
 from mechc.report.text.stroke import to_table

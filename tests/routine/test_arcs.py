@@ -21,7 +21,7 @@ from branches_by_arcs import (
     upper,
     wave,
 )
-from mechc.formula.newton import Way
+from mechc.formula.numeric.newton import Way
 from mechc.routine.arcs import follow as follow_arcs
 from mechc.routine.newton import follow
 from mechc.routine.steps import NO_ARCS, Solver
@@ -48,7 +48,7 @@ def test_an_end_is_a_fold_that_was_found(name):
 
 
 def test_no_fold_is_found_in_too_few_points(monkeypatch):
-    monkeypatch.setattr("mechc.formula.arcs.MOST_POINTS", 3)
+    monkeypatch.setattr("mechc.formula.numeric.arcs.MOST_POINTS", 3)
     many, _ = follow_arcs(of_many(of_one(wave(0.7))), np.zeros((1, 1)))
     assert list(many) == [2]
 

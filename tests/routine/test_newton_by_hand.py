@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mechc.formula import newton
+from mechc.formula.numeric import newton
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol, System, negative, number, product, total
 from mechc.frozen import replace

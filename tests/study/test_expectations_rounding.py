@@ -6,7 +6,7 @@ import pytest
 
 import mechc
 from mechc.compilation import compile_source
-from mechc.formula.rounding import Rounding
+from mechc.formula.numeric.rounding import Rounding
 from mechc.source import Source
 from small_mechanisms import four_bar
 

@@ -8,7 +8,7 @@ import mechc
 from good_mechanisms import loaded
 from grown import Grown
 from mechc.compilation import Compilation, checked, warnings
-from mechc.formula.roots import roots
+from mechc.formula.numeric.roots import roots
 from mechc.report.text.stroke import to_table
 from mechc.source import Source
 from mechc.study.analysis import DeadCentre

@@ -7,7 +7,7 @@ import pytest
 
 import mechc
 from mechc.formula.evaluate import evaluate
-from mechc.formula.rounding import Rounding
+from mechc.formula.numeric.rounding import Rounding
 from mechc.formula.tree import Call, Power, Product, Symbol, number, product, total
 from mechc.study.stroke.extrema import with_values
 from mechc.study.stroke.removable import RemovableSingularities

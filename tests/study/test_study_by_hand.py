@@ -16,7 +16,7 @@ from mechc.algebra.trigonometry import cosine, sine
 from mechc.compilation import compile_source
 from mechc.diagnostics import Report
 from mechc.formula.evaluate import evaluate
-from mechc.formula.rounding import PrintedNumber
+from mechc.formula.numeric.rounding import PrintedNumber
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, power, product, quotient, total
 from mechc.frozen import replace

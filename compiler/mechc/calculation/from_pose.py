@@ -7,7 +7,7 @@ from ..diagnostics import Report
 from ..diagnostics import sheets as messages
 from ..diagnostics import uses as uses_messages
 from ..formula.evaluate import evaluate
-from ..formula.rounding import Rounding
+from ..formula.numeric.rounding import Rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace

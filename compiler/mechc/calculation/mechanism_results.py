@@ -7,7 +7,7 @@
 from collections.abc import Iterator, Mapping
 
 from ..formula.evaluate import evaluate
-from ..formula.rounding import Rounding, beyond_rounding
+from ..formula.numeric.rounding import Rounding, beyond_rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..friction import at_rest

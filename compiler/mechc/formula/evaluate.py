@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, assert_never
 
 from ..named import NamedTuple
 from ..work import MOST_WORK, Allowance, at_most, spend
-from . import derivative, newton
+from . import derivative
 from .choices import chosen
 from .functions import FUNCTIONS
 from .names import another
-from .straight_line import OFTEN, StraightLine, SystemSolver, in_order
+from .numeric import newton
+from .numeric.straight_line import OFTEN, StraightLine, SystemSolver, in_order
 from .tree import (
     Call,
     Constant,
@@ -28,8 +29,8 @@ from .tree import (
 from .walk import substitute, symbols
 
 if TYPE_CHECKING:
-    from .elimination import Matrix
-    from .newton import Bordered, NewtonStatus, Residuals, Way
+    from .numeric.elimination import Matrix
+    from .numeric.newton import Bordered, NewtonStatus, Residuals, Way
 
 SYSTEMS, SOLUTIONS = 256, 1024
 """Of so many systems the code is kept, of each so many solutions: several results share them."""

@@ -11,7 +11,7 @@ q without friction together, φ = q - g·Σ κ·n, where κ·n is what a frictio
 load. With the g for which D - g·ideal·κ is least, this rest is of order one at a dead centre, too.
 
 What is concluded from what. The solutions with a share t of all friction are a curve, from the
-one without friction on (:mod:`~mechc.formula.arcs`).
+one without friction on (:mod:`~mechc.formula.numeric.arcs`).
 
 - It comes to t = 1 with φ > 0: there the forces balance, the mechanism moves.
 - It comes to t = 1 with φ < 0: where φ passed zero the drive would need to be infinitely strong,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, assert_never
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..diagnostics import power as power_messages
-from ..formula.rounding import PrintedNumber
+from ..formula.numeric.rounding import PrintedNumber
 from ..formula.tree import ZERO, Formula, Symbol
 from ..frozen import replace
 from ..model.mechanism import (

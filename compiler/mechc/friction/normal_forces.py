@@ -13,7 +13,7 @@ from random import Random
 from ..algebra.from_formula import to_product
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
-from ..formula.rounding import Rounding
+from ..formula.numeric.rounding import Rounding
 from ..formula.tree import Formula
 from ..formula.walk import substitute, symbols
 from ..frozen import on_demand, replace

@@ -12,8 +12,8 @@ from graphlib import CycleError, TopologicalSorter
 
 from ..formula.choices import EQUAL, SENSELESS
 from ..formula.evaluate import SharedEvaluation, evaluate, solver
-from ..formula.rounding import PrintedNumber
-from ..formula.straight_line import OFTEN, StraightLine, SystemSolver, in_order
+from ..formula.numeric.rounding import PrintedNumber
+from ..formula.numeric.straight_line import OFTEN, StraightLine, SystemSolver, in_order
 from ..formula.tree import Formula, Number, Symbol, System
 from ..formula.walk import Mentions, symbols
 from ..named import NamedTuple

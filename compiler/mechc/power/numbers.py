@@ -10,7 +10,7 @@ from ..algebra.product import Product, Sum
 from ..diagnostics import Report
 from ..diagnostics import power as messages
 from ..formula.evaluate import SharedEvaluation
-from ..formula.rounding import PrintedNumber, Rounding, beyond_rounding, without_value
+from ..formula.numeric.rounding import PrintedNumber, Rounding, beyond_rounding, without_value
 from ..formula.to_text import text
 from ..formula.tree import ZERO, Formula, is_call
 from ..formula.walk import symbols

@@ -6,7 +6,7 @@ from math import isclose, isfinite
 
 from ..formula.evaluate import evaluate
 from ..formula.layout import in_degrees, over_line
-from ..formula.rounding import Rounding
+from ..formula.numeric.rounding import Rounding
 from ..formula.tree import (
     Constant,
     Formula,

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from ..formula.evaluate import evaluate
 from ..formula.names import direction_of, split_name
-from ..formula.rounding import Rounding
+from ..formula.numeric.rounding import Rounding
 from ..formula.tree import Call, Formula, Symbol, is_call, number
 from ..formula.walk import symbols, walk
 from ..model.mechanism import (

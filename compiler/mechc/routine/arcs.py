@@ -1,7 +1,7 @@
 """The branch of a system's solutions by its arc length, for many poses at a time.
 
-What :mod:`mechc.formula.arcs` does for one pose, point by point; poses that are done wait for
-the others.
+What :mod:`mechc.formula.numeric.arcs` does for one pose, point by point; poses that are done
+wait for the others.
 """
 
 from collections.abc import Callable
@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula import arcs
+from ..formula.numeric import arcs
 from ..named import NamedTuple
 
 Array: TypeAlias = NDArray[np.float64]

@@ -1,7 +1,7 @@
 """Newton's method along a path, for many poses at a time.
 
-What :func:`mechc.formula.newton.Way.follow` does for one pose, correction by correction; poses that
-are done wait for the others.
+What :func:`mechc.formula.numeric.newton.Way.follow` does for one pose, correction by correction;
+poses that are done wait for the others.
 """
 
 import math
@@ -11,7 +11,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula import newton
+from ..formula.numeric import newton
 from ..named import NamedTuple
 from . import arcs
 from .arcs import Array, PoseIndices, eliminate

@@ -69,8 +69,9 @@ class Solver:
     they mention unknowns, outer symbols and earlier steps only. ``anchor`` and ``start``
     are the values of outer symbols and unknowns where the way begins, as those of a
     :class:`~mechc.formula.tree.System`; ``side`` is the Jacobian's sign there. The method is that
-    of :mod:`mechc.formula.newton`, with ``by_arcs`` that of :mod:`mechc.formula.arcs` besides.
-    ``turning`` are outer symbols that are brought nearest to their anchors by whole turns.
+    of :mod:`mechc.formula.numeric.newton`, with ``by_arcs`` that of
+    :mod:`mechc.formula.numeric.arcs` besides. ``turning`` are outer symbols that are brought
+    nearest to their anchors by whole turns.
     """
 
     unknowns: tuple[str, ...]

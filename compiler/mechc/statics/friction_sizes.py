@@ -14,7 +14,7 @@ from itertools import product
 from operator import mul
 from random import Random
 
-from ..formula.elimination import Matrix, eliminate
+from ..formula.numeric.elimination import Matrix, eliminate
 from ..named import NamedTuple
 from ..work import spend
 

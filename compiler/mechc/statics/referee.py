@@ -10,7 +10,7 @@ from itertools import islice
 
 from ..diagnostics import Diagnostic, MechcError, Report
 from ..diagnostics import statics as messages
-from ..formula.rounding import Rounding
+from ..formula.numeric.rounding import Rounding
 from ..model.result import Result
 from ..model.values import defaults
 from ..named import NamedTuple

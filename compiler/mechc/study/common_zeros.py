@@ -11,8 +11,8 @@ from itertools import pairwise, product
 
 from ..algebra.factors import Trig
 from ..algebra.product import Product
-from ..formula import roots
 from ..formula.evaluate import evaluate
+from ..formula.numeric import roots
 from ..formula.tree import Call, Formula, is_call
 from ..formula.walk import reached, symbols, walk
 from ..model.mechanism import Mechanism

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..formula.evaluate import evaluate
-from ..formula.roots import spaced
+from ..formula.numeric.roots import spaced
 from ..formula.walk import symbols
 from ..friction.problem import FrictionProblem
 from ..friction.results import by_coefficients

@@ -19,7 +19,7 @@ from ..algebra.equality import equal
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import expectations as messages
 from ..formula.evaluate import evaluate
-from ..formula.rounding import Rounded, Rounding
+from ..formula.numeric.rounding import Rounded, Rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace

@@ -6,7 +6,7 @@ from functools import partial
 from itertools import chain
 
 from ..diagnostics import Report
-from ..formula.roots import RealFunction, lowest, spaced
+from ..formula.numeric.roots import RealFunction, lowest, spaced
 from ..friction.solution import FrictionSolution
 from ..frozen import replace
 from ..model.mechanism import Drive, LoadRatio, Mechanism, SpeedRatio

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence, Set
 from itertools import compress
 
 from ..formula.evaluate import straight_line
-from ..formula.straight_line import in_order
+from ..formula.numeric.straight_line import in_order
 from ..formula.tree import Definitions, Formula
 from ..formula.walk import Mentions, reached, symbols
 from ..model.mechanism import Require

@@ -13,7 +13,7 @@ from ..algebra.sums import add
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..formula.evaluate import evaluate
-from ..formula.rounding import Rounded, Rounding
+from ..formula.numeric.rounding import Rounded, Rounding
 from ..formula.tree import Call, Formula, Symbol, is_call
 from ..formula.walk import substitute, symbols
 from ..friction import at_rest

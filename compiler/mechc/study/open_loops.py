@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from ..diagnostics import Report
 from ..diagnostics import stroke as messages
-from ..formula.roots import spaced
+from ..formula.numeric.roots import spaced
 from ..kinematics.plan import Plan
 from ..model.mechanism import Parameter
 from ..model.values import bounds, range_of

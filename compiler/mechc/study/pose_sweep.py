@@ -9,10 +9,10 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING, TypeVar
 
 from ..algebra.product import Product
-from ..formula import continuation, rounded_columns
 from ..formula.evaluate import status
-from ..formula.rounding import EPS, Rounded, Rounding
-from ..formula.straight_line import SystemSolver, in_order
+from ..formula.numeric import continuation, rounded_columns
+from ..formula.numeric.rounding import EPS, Rounded, Rounding
+from ..formula.numeric.straight_line import SystemSolver, in_order
 from ..formula.tree import Definitions, Formula, Implicit, System
 from ..kinematics.plan import Plan
 from ..model.result import Result
@@ -20,8 +20,8 @@ from ..model.values import Chain, Completion, Values, defaults, following, user_
 from .forms import SOON, FormulaCode, FormulaCodes, code_of_all, form, holding
 
 if TYPE_CHECKING:
-    from ..formula.roots import RealFunction
-    from ..formula.rounded_columns import RoundedColumns
+    from ..formula.numeric.roots import RealFunction
+    from ..formula.numeric.rounded_columns import RoundedColumns
 
 NOT_ASSEMBLED = "cannot be assembled"
 NOT_FOUND = "iteration finds no pose"

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain, pairwise
 
-from ..formula.roots import lowest, spaced
+from ..formula.numeric.roots import lowest, spaced
 from .states import RatioAlong
 from .tolerances import (
     BEFORE_JUMP,

@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 
 from ..formula.evaluate import status_along
-from ..formula.newton import NewtonStatus
+from ..formula.numeric.newton import NewtonStatus
 from ..formula.tree import Formula, Implicit, Number, Power, Product, Symbol, is_call
 from ..formula.walk import symbols, walk
 from ..frozen import replace

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from ..formula.rounding import beyond_rounding
+from ..formula.numeric.rounding import beyond_rounding
 from ..formula.tree import Definitions, Formula, is_call
 from ..formula.walk import symbols
 from ..friction import at_rest
@@ -15,7 +15,7 @@ from .pose_sweep import Functions, PoseCode, PoseSweep, keeping
 from .tolerances import SAME_SIDES, SIDE
 
 if TYPE_CHECKING:
-    from ..formula.roots import RealFunction
+    from ..formula.numeric.roots import RealFunction
 
 
 class Sweep(PoseSweep):

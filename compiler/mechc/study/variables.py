@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import groupby
 
-from ..formula import roots
+from ..formula.numeric import roots
 from ..formula.tree import Symbol
 from ..formula.walk import symbols
 from ..model.mechanism import Arrow, Mechanism

@@ -8,7 +8,7 @@ import re
 
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
-from ...formula import arcs, newton
+from ...formula.numeric import arcs, newton
 from ...later import pattern
 from ...named import NamedTuple
 
@@ -19,8 +19,8 @@ class Real(NamedTuple):
     ``bits`` is the unsigned type of the same width, ``top`` the place of the sign in it,
     ``infinity`` and ``size`` are the bits of infinity and of all but the sign. ``tiny``,
     ``rounding``, ``least`` and ``sharp`` are for this type what they are in
-    :mod:`~mechc.formula.newton` and :mod:`~mechc.formula.arcs` for ``double``; only code that
-    solves equations needs them.
+    :mod:`~mechc.formula.numeric.newton` and :mod:`~mechc.formula.numeric.arcs` for ``double``;
+    only code that solves equations needs them.
     """
 
     name: str

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
-from ...formula import newton
-from ...formula.elimination import eliminate
 from ...formula.evaluate import evaluate
+from ...formula.numeric import newton
+from ...formula.numeric.elimination import eliminate
 from ...formula.to_text import text
 from ...formula.walk import symbols
 from ...named import NamedTuple

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
-from ...formula import arcs, newton
 from ...formula.choices import SIGNS
+from ...formula.numeric import arcs, newton
 from ...later import pattern
 from ...named import NamedTuple
 from ...routine.steps import Common, Program, Routine, every, inputs_of, programs

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Set
 
-from ...formula import newton
+from ...formula.numeric import newton
 from ...formula.to_text import text
 from ...named import NamedTuple
 from ...routine.steps import NO_ARCS, ProgramStatement, Solve, Solver

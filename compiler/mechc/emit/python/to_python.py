@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
-from ...formula import arcs, newton
 from ...formula.choices import SIGNS
+from ...formula.numeric import arcs, newton
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
 from ...frozen import replace

@@ -9,7 +9,7 @@ from random import Random
 
 from ...diagnostics import open_loops as messages
 from ...formula.evaluate import numeric
-from ...formula.folds import SolutionCurve
+from ...formula.numeric.folds import SolutionCurve
 from ...model.values import following
 from ...units import ANGLE
 from .groups import LoopGroup, draw, rows_of, size_of, system_of

@@ -15,7 +15,7 @@ from ...algebra.product import Product, Sum
 from ...algebra.sums import add
 from ...diagnostics import open_loops as messages
 from ...formula.evaluate import evaluate
-from ...formula.roots import roots
+from ...formula.numeric.roots import roots
 from ...formula.to_text import text
 from ...formula.tree import Call, Formula, Number, negative, total
 from ...formula.walk import constants, symbols, walk

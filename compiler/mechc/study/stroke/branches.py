@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ...algebra.derivative import depends_openly, derivative
 from ...algebra.product import Product
 from ...algebra.sums import add
-from ...formula.roots import RealFunction, Root, lowest, roots
+from ...formula.numeric.roots import RealFunction, Root, lowest, roots
 from ...formula.walk import symbols
 from ...pose.pose import Pose
 from ..pose_sweep import PoseSweep

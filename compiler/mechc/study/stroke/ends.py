@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 from ...formula.evaluate import evaluate, numeric, solution
-from ...formula.folds import SolutionCurve
+from ...formula.numeric.folds import SolutionCurve
 from ...formula.tree import Formula, Implicit, System
 from ...model.values import Chain, following
 from ...named import NamedTuple

@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise, product
 from typing import Literal
 
-from ...formula.jumps import NEAR_JUMP
-from ...formula.roots import RealFunction, lowest, roots
+from ...formula.numeric.jumps import NEAR_JUMP
+from ...formula.numeric.roots import RealFunction, lowest, roots
 from ...frozen import replace
 from ...model.mechanism import Efficiency, LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis

@@ -5,7 +5,7 @@ from itertools import chain
 
 from ...diagnostics import Report
 from ...diagnostics import stroke as messages
-from ...formula.roots import spaced
+from ...formula.numeric.roots import spaced
 from ...friction.solution import FrictionSolution
 from ...model.parts.targets import drives_from_below
 from ...model.values import range_of

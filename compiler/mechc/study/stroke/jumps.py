@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import pairwise, product
 
-from ...formula.jumps import JUMP_WIDTH, NEAR_JUMP, Jump, is_steady, jumps, side
-from ...formula.roots import RealFunction, spaced
+from ...formula.numeric.jumps import JUMP_WIDTH, NEAR_JUMP, Jump, is_steady, jumps, side
+from ...formula.numeric.roots import RealFunction, spaced
 from ...formula.tree import Formula, is_call
 from ...formula.walk import walk
 from ...model.parts.targets import Efficiency, Reaction, WithFriction

@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Sequence
 
 from ...diagnostics import Report
-from ...formula.jumps import NEAR_JUMP, side
-from ...formula.roots import spaced
+from ...formula.numeric.jumps import NEAR_JUMP, side
+from ...formula.numeric.roots import spaced
 from ...formula.tree import Formula
 from ...friction.solution import FrictionSolution
 from ...model.mechanism import LoadRatio, SpeedRatio, WithFriction

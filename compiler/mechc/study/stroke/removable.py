@@ -7,8 +7,8 @@ that are zero there. At that place a formula has no value, and near it what roun
 import math
 from collections.abc import Sequence
 
-from ...formula.roots import RealFunction
-from ...formula.rounding import with_error
+from ...formula.numeric.roots import RealFunction
+from ...formula.numeric.rounding import with_error
 from ...model.result import Result
 from ...named import NamedTuple
 from ..sweep import Sweep

@@ -8,8 +8,8 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 
-from ...formula.roots import spaced
-from ...formula.rounding import Rounding, with_error
+from ...formula.numeric.roots import spaced
+from ...formula.numeric.rounding import Rounding, with_error
 from ...formula.walk import walk
 from ...model.result import Definition, Result
 from ..states import is_sign

@@ -4,8 +4,8 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache, partial
 
-from ...formula.rounded_columns import RoundedColumn, RoundedColumns
-from ...formula.rounding import (
+from ...formula.numeric.rounded_columns import RoundedColumn, RoundedColumns
+from ...formula.numeric.rounding import (
     PrintedNumber,
     Rounding,
     beyond_rounding,

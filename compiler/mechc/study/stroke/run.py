@@ -6,7 +6,7 @@ values are spaced evenly by that root. Where a loop that lies flat can go on, no
 
 from collections.abc import Callable, Iterator, Sequence
 
-from ...formula.roots import spaced
+from ...formula.numeric.roots import spaced
 from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import FrictionSolution

@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Literal
 
 from ...formula.evaluate import evaluate
-from ...formula.roots import RealFunction, Root, lowest, roots, spaced
+from ...formula.numeric.roots import RealFunction, Root, lowest, roots, spaced
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import symbols
 from ..analysis import Analysis, Break, Vanishing

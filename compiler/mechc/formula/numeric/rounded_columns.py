@@ -10,12 +10,11 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from functools import partial
 
-from ..named import NamedTuple
-from .choices import chosen
-from .evaluate import solution
-from .functions import FUNCTIONS
-from .rounding import BY_SINES, EPS, SOLVED, Rounded, called, multiplied, powered, summed
-from .tree import (
+from ...named import NamedTuple
+from ..choices import chosen
+from ..evaluate import solution
+from ..functions import FUNCTIONS
+from ..tree import (
     Call,
     Constant,
     Formula,
@@ -28,7 +27,8 @@ from .tree import (
     Symbol,
     System,
 )
-from .walk import symbols
+from ..walk import symbols
+from .rounding import BY_SINES, EPS, SOLVED, Rounded, called, multiplied, powered, summed
 
 SMOOTH = frozenset({"sin", "cos", "asin", "acos", "atan", "sqrt", "abs", "exp", "log"})
 """Functions of one argument whose value is NaN where that is."""
@@ -68,7 +68,7 @@ class ColumnOperation(NamedTuple):
 class RoundedColumns:
     """Formulas at many poses; what several share is found once.
 
-    >>> from .tree import product
+    >>> from ..tree import product
     >>> x = RoundedColumns({"x": RoundedColumn([2.0, 0.0], [0.0, 0.0])}, 2)
     >>> inverse = x.of(product([(Symbol("x"), -1)]))
     >>> inverse.at(0).value, inverse.at(1)

@@ -11,11 +11,11 @@ import math
 from collections.abc import Sequence
 from operator import mul, truediv
 
+from ..evaluate import beginning, solver, turned_back, way_of
+from ..tree import System
 from .elimination import quick
-from .evaluate import beginning, solver, turned_back, way_of
 from .newton import Way, scale
 from .straight_line import SystemSolver
-from .tree import System
 
 RUNG = 1 / 32
 """How far apart rungs are, against the symbol's scale: three corrections lead to the next one."""

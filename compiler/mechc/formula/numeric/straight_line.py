@@ -1,7 +1,7 @@
 """Formulas that are evaluated again and again, put in order once as straight-line code.
 
 Parts that are equal are computed once, whatever formulas they stand in. The values are
-those of :class:`~.evaluate.SharedEvaluation` to the last bit, in a tenth of the time; code that is
+those of :class:`~..evaluate.SharedEvaluation` to the last bit, in a tenth of the time; code that is
 used often is compiled to one function of Python, in which only numbers of places and
 constants stand, and takes a third of that.
 """
@@ -12,9 +12,9 @@ from functools import partial
 from operator import itemgetter
 from typing import Any, assert_never
 
-from ..work import spend
-from .functions import FUNCTIONS
-from .tree import (
+from ...work import spend
+from ..functions import FUNCTIONS
+from ..tree import (
     Call,
     Constant,
     Formula,

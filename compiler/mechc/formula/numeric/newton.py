@@ -21,7 +21,7 @@ from collections.abc import Callable, Sequence
 from operator import mul, truediv
 from typing import Literal
 
-from ..named import NamedTuple
+from ...named import NamedTuple
 from .arcs import Arcs
 from .elimination import Elimination, Matrix, eliminate, quick
 

@@ -32,7 +32,7 @@ from collections.abc import Callable, Sequence
 from operator import mul
 from typing import Literal
 
-from ..named import NamedTuple
+from ...named import NamedTuple
 from .elimination import Elimination, Matrix, eliminate
 
 CurveEquations = Callable[[Sequence[float], float], tuple[list[float], Matrix]]

@@ -8,23 +8,12 @@ divided by such a zero is infinite, and undetermined where it is such a zero its
 import math
 from collections.abc import Iterable, Mapping, Sequence
 
-from ..named import NamedTuple
-from .choices import chosen
-from .evaluate import solution
-from .functions import FUNCTIONS
-from .tree import (
-    Call,
-    Constant,
-    Formula,
-    Implicit,
-    Number,
-    Pi,
-    Power,
-    Product,
-    Sum,
-    Symbol,
-)
-from .walk import symbols
+from ...named import NamedTuple
+from ..choices import chosen
+from ..evaluate import solution
+from ..functions import FUNCTIONS
+from ..tree import Call, Constant, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from ..walk import symbols
 
 EPS = 2.0**-52
 """What one operation on doubles is off by at most, against its result: twice half a last place."""
@@ -64,7 +53,7 @@ class Rounding:
 
     Names may be added to ``values`` later on, but not change.
 
-    >>> from .tree import degrees
+    >>> from ..tree import degrees
     >>> [Rounding({}).of(Call("cos", (degrees(x),))).is_zero for x in (90, 89)]
     [True, False]
     """

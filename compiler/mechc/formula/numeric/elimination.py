@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from functools import lru_cache
 from typing import Any
 
-from ..work import spend
+from ...work import spend
 
 Matrix = list[list[float]]
 
