@@ -113,7 +113,7 @@ def not_there(span: Span, name: str, used: str, known: Collection[str]) -> Messa
 
 
 @coded("E576")
-def both_points_on_one_side(span: Span, prefix: str) -> Message:
+def joins_no_other(span: Span, prefix: str) -> Message:
     """On one side of a joint stands a point of what is used, on the other one that is not.
 
     use toggle_clamp as T joining H = B        # wrong

@@ -102,7 +102,7 @@ def joints(
         sides = sorted(pair, key=lambda name: of_used(name.text)[0] != prefix)
         (first, inside), (second, outside) = (of_used(name.text) for name in sides)
         if first != prefix or second == prefix:
-            report.add(messages.both_points_on_one_side(where, prefix))
+            report.add(messages.joins_no_other(where, prefix))
             return None
         if inside not in there:
             name, heading = joining.used.mechanism.name, joining.used.span
