@@ -295,6 +295,7 @@ def _where(formula: str, spell: TextSpeller) -> str:
 def _of_definition(
     group: Definition | SolvedSystem, known: NameLetters, spell: TextSpeller
 ) -> Iterator[str]:
+    """Yield the lines below a result that define a name: a formula, a number, or a system."""
     if isinstance(group, SolvedSystem):
         yield f"    {spell.locale.checked['solve'].format(names=', '.join(group.names))}"
         both = ([_described(side, spell) for side in without_minus(zero)] for zero in group.zeros)

@@ -66,6 +66,7 @@ def _below(folder: Path) -> Iterator[Path]:
 
 
 def _settings(given: tuple[str, ...]) -> Settings:
+    """Return the values of ``-D NAME=VALUE``; refuse one that cannot be read, and one set twice."""
     for text in given:
         if "=" not in text:
             raise usage.BadParameter(f"{text!r} is not NAME=VALUE, as in -D alpha=30deg")

@@ -66,6 +66,7 @@ def _plain(text: str, **_: object) -> str:
 
 
 def _full(diagnostic: Diagnostic, source: Source | None, paint: Paint) -> str:
+    """Return a message with the lines of the text that it is about, and its hint below."""
     colour = COLOURS[diagnostic.severity]
     lines = [_headline(diagnostic, source, paint)]
     if source and diagnostic.span:

@@ -48,6 +48,7 @@ def describe(plot: Plot, words: Words) -> str:
 
 
 def _sentences(plot: Plot, words: Words) -> Iterator[str]:
+    """Yield what a plot shows over which range, where its condition holds, and each curve."""
     names = ", ".join(dict.fromkeys(_plain(curve.name) for curve in plot.curves))
     low, high = shown(plot.low, plot.varied), shown(plot.high, plot.varied)
     what = words["path" if plot.equal else "against"]
@@ -63,6 +64,7 @@ def _sentences(plot: Plot, words: Words) -> Iterator[str]:
 
 
 def _of_curve(curve: Curve, plot: Plot, y: PlotAxis, words: Words) -> Iterator[str]:
+    """Yield the values of a curve at its ends, then its marks, poles and jumps."""
     settings = (f"{v.axis.name} = {shown(v.value, v.axis)}" for v in curve.setting)
     what = ", ".join([_plain(curve.name), *settings])
     if not plot.equal and curve.pieces:

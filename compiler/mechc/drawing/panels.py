@@ -106,6 +106,7 @@ def _frame(plot: Plot, panel: Panel, most: int) -> PanelFrame:
 
 
 def _equal(plot: Plot, panel: Panel) -> PanelFrame:
+    """Return a frame with one scale along both axes, for the path of a point."""
     places = [p for curve in panel.curves for piece in curve.pieces for p in piece]
     xs, ys = [p.x / plot.x.size for p in places], [p.y / panel.y.size for p in places]
     extent = max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0

@@ -72,6 +72,7 @@ def to_xlsx(plot: Plot) -> bytes:
 
 
 def _fill(book: Any, plot: Plot) -> None:
+    """Write the columns of a plot into a sheet, with what is not finite as text."""
     sheet = book.add_worksheet("values")
     bold = book.add_format({"bold": True, "align": "right"})
     sheet.freeze_panes(1, 1)

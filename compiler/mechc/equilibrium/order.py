@@ -54,6 +54,10 @@ def candidates(
 def _candidate(
     balance: EquilibriumSum, known: ForceNames, values: Mapping[str, float], made_up: ForceNames
 ) -> CandidateSum | None:
+    """Return a sum with its unknown forces, coefficients and length; None on a made-up length.
+
+    Coefficients count from the largest, and rounding among them is left out.
+    """
     formulas = [part.formula() for part in balance.terms.values()]
     if any(symbols(formula) & made_up for formula in formulas):
         return None

@@ -168,6 +168,7 @@ def _slider(slider: model.Slider, half: Half) -> drawn.Slider:
 
 
 def _slot(slot: model.Slot, half: Half) -> drawn.Slot:
+    """Return a slot as it is drawn, its direction from the tail of its line to the head."""
     along = half.vector(half.vectors.face(_touch("slot", slot.point, half)))
     if along.dot(half.at(slot.head).minus(half.at(slot.tail))) < 0:
         along = along.times(-1)
@@ -195,6 +196,7 @@ def _touch(kind: str, point: str, half: Half) -> PointContact:
 
 
 def _wheels(mesh: model.WheelPair, half: Half) -> drawn.Gears | drawn.Belt:
+    """Return two gears with the point where their circles touch, or a belt with its runs."""
     first, second = half.point(mesh.first), half.point(mesh.second)
     radius, other = half.length(mesh.first_radius), half.length(mesh.second_radius)
     circles = Circle(half.points[first], radius), Circle(half.points[second], other)
@@ -210,6 +212,7 @@ def _wheels(mesh: model.WheelPair, half: Half) -> drawn.Gears | drawn.Belt:
 
 
 def _rack(rack: model.Rack, half: Half) -> drawn.Rack:
+    """Return a rack along its guide, with the point where it touches the gear's pitch circle."""
     along = half.guide(rack.point)
     touch = half.at(rack.pivot).plus(half.vector(half.vectors.right(rack)))
     line = half.through(along, (touch, half.at(rack.point)))

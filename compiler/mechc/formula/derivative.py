@@ -69,6 +69,7 @@ def _along(changes: Mapping[str, Formula]) -> Differentiate:
     """Return the slope where names change by so much, found once of parts that formulas share."""
 
     def slope_of(formula: Formula) -> Formula:
+        """Return the slope of a formula by those of its parts, one rule for each kind of node."""
         match formula:
             case Number() | Pi():
                 return ZERO

@@ -221,6 +221,7 @@ def _loads(case: IdealResult) -> tuple[object, ...]:
 
 
 def _names_in(balance: Balance) -> frozenset[str]:
+    """Return all names that a description and its pose have given."""
     pose = balance.plan.graph.pose
     mechanism = pose.mechanism
     named = (

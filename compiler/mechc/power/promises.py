@@ -32,6 +32,7 @@ def broken_promises(balance: Balance) -> list[str]:
 
 
 def _terms(balance: Balance) -> Iterator[str]:
+    """Yield in what the terms of the power equation do not fit loads and degrees of freedom."""
     mechanism, mobility = balance.plan.graph.pose.mechanism, balance.plan.mobility
     if [t.load.name for t in balance.terms] != [k.name for k in mechanism.loads]:
         yield "the terms are not those of the loads in declared order"
@@ -97,6 +98,7 @@ def _residues(equations: PowerEquations, loads: Mapping[str, Product]) -> dict[i
 
 
 def _names(result: Result, mechanism: Mechanism) -> Iterator[str]:
+    """Yield the names without a definition in a result, and the loads in its coefficients."""
     loads = {load.name for load in mechanism.loads}
     known = {p.name for p in mechanism.parameters} | loads
     yield from undefined(result.name, result.formula, result.where, known)

@@ -122,6 +122,10 @@ def driven(statements: Iterable[ast.Statement]) -> tuple[str, ...]:
 
 
 def _set(statement: ast.Statement, values: Mapping[str, ast.Expr]) -> ast.Statement:
+    """Return a line with the value that the command line sets, if it sets one.
+
+    A parameter that follows from others by it loses its range and its tolerance.
+    """
     if isinstance(statement, ast.Drive):
         start = values.get(f"phi_{statement.name.text}", values.get(f"len_{statement.name.text}"))
         return replace(statement, start=start) if start else statement

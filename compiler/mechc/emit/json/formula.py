@@ -37,6 +37,7 @@ def tree(formula: Formula) -> Json:
 
 
 def _solution(formula: Implicit) -> Json:
+    """Return an unknown of a system: its equations, and where the way to its solution begins."""
     system = formula.system
     return {
         "solution": system.unknowns[formula.index],

@@ -62,6 +62,7 @@ def to_table(mechanisms: Sequence[Compared], language: str, fragment: bool) -> s
 
 
 def _table(mechanisms: Iterable[Compared], locale: Locale, language: str) -> Iterator[str]:
+    """Yield the lines of a table in LaTeX, with the rows of each mechanism between rules."""
     words = locale.comparison
     yield rf"\begin{{longtable}}{{{_COLUMNS}}}"
     yield r"\toprule"

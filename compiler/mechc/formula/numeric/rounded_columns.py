@@ -110,6 +110,7 @@ class RoundedColumns:
         return known[1]
 
     def _column(self, formula: Formula) -> RoundedColumn:
+        """Return a column from those of the parts, one for each kind of node."""
         match formula:
             case Number(value):
                 number = value.numerator / value.denominator

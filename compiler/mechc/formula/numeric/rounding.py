@@ -93,6 +93,7 @@ class Rounding:
         return known
 
     def _compute(self, formula: Formula) -> Rounded:
+        """Return a value with its bound from those of the parts, one for each kind of node."""
         match formula:
             case Product(factors):
                 return multiplied(map(self._of, factors))

@@ -125,6 +125,7 @@ class _LoadWriter:
         return Explanation(names, tuple(paragraphs), where)
 
     def _paragraphs(self, equilibrium: Equilibrium) -> Iterator[Paragraph]:
+        """Yield the paragraphs of a load: the steps whose forces have not been found before."""
         if not self._found:
             yield Paragraph(SentenceKind.EQUILIBRIUM)
         if equilibrium.parts > 1 and not self._found:

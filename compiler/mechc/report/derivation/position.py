@@ -52,6 +52,7 @@ def _order(pose: Pose, formulas: Formulas) -> dict[str, tuple[int, int]]:
 
 
 def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator[PositionStep]:
+    """Yield a step for each closed loop that gives an angle or a length which is needed."""
     needed = reached([*_mentioned(derivation), *_in_conditions(derivation)], formulas)
     subjects, fixed = [step.subject for step in derivation.steps], pose.mechanism.fixed
     for loop in pose.solved:

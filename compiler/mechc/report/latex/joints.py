@@ -104,6 +104,7 @@ def _rope(rope: Rope, mechanism: Mechanism, locale: Locale) -> str:
 
 
 def _wheels(mesh: WheelPair, locale: Locale, style: LatexNotation) -> str:
+    """Return the sentence of two wheels: gears, one inside the other or not, or a belt."""
     kinds = {
         ("gear", False): "gear",
         ("gear", True): "inner",

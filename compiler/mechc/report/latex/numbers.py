@@ -91,6 +91,7 @@ def is_own_value(result: Analysis) -> bool:
 
 
 def _number(result: Analysis, locale: Locale, style: LatexNotation) -> str:
+    """Return a result's value at the values given: none, 0/0, one, or two where it jumps."""
     symbol = latex(asked(result), style)
     if result.undetermined:
         why = locale.no_direction if is_direction(result) else rf"{locale.undetermined} ($0/0$)"

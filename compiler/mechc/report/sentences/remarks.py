@@ -357,6 +357,7 @@ def _symbols(names: Iterable[str], locale: Locale, spell: Speller) -> str:
 
 
 def _trends(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
+    """Return a sentence for each trend, on all parameters that have it in the same ranges."""
     groups: dict[tuple[Trend, ClaimScope], list[str]] = {}
     for parameter, trend in (result.trends or {}).items():
         if locale.trends[trend] and _is_news([parameter], result):

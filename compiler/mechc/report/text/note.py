@@ -231,6 +231,7 @@ def _value(quantity: GivenQuantity, signs: TextSigns) -> str:
 
 
 def _check(check: NoteCheck, signs: TextSigns, words: Words) -> NoteRow:
+    """Return the line of a condition: in symbols and in numbers, its reserve, whether it fails."""
     operator = f" {signs.relations.get(check.operator, check.operator)} "
     said = operator.join(_set(side, signs) for side in (check.left, check.right))
     if check.values is None:

@@ -241,6 +241,7 @@ KINDS = {"branch point": "zero and infinite", "other": ""}
 
 
 def _singular(found: Singular, shown: WrittenStroke) -> str:
+    """Return the line of a singular pose: the value there, both where it jumps, and its cause."""
     does, names = f"is {found.value}", {"name": found.result, "at": _at(found.drive, shown)}
     if found.sides is not None:
         low, high = (_measured(side, found.result, shown, FIGURES) for side in found.sides)
