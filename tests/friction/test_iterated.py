@@ -8,7 +8,7 @@ from mechc.friction.solution import FrictionStep, SolvedWithFriction
 from mechc.model.values import completed
 from mechc.power.numbers import pose_values
 from mechc.source import Source
-from small_mechanisms import RACK_ON_PIN
+from small_mechanisms import LOADED_COUPLER
 
 SLOT = """
 param r = 50 mm
@@ -39,7 +39,7 @@ def solved(text: str) -> dict[str, tuple[SolvedWithFriction, FrictionStep, dict[
     return found
 
 
-@pytest.mark.parametrize("mechanism", [RACK_ON_PIN, SLOT], ids=["rack", "slot"])
+@pytest.mark.parametrize("mechanism", [LOADED_COUPLER, SLOT], ids=["coupler", "slot"])
 def test_the_forces_that_are_found_solve_the_equations_that_are_printed(mechanism):
     found = solved(mechanism)
     assert {"k_f", "k_hold"} <= found.keys()

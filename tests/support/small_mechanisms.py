@@ -327,18 +327,20 @@ def _text(*lines: str) -> str:
     return "\n".join((*lines, ""))
 
 
-RACK_ON_PIN = """
-param L = 300 mm
+LOADED_COUPLER = """
 param phi = 30 deg
-drive phi
+param psi: angle
 pivot O at (0 mm, 0 mm)
-slider A along 0 deg
-link OB
-OB = L @ phi
-rack A on O radius 20 mm
-friction pins 0.1 diameter 12 mm
-force P at B along perp OB
-force F at A along 180 deg
-find k = P/F
+slider B along x through O
+link OA
+link ABC
+OA = 60 mm @ phi
+AB = 150 mm @ psi
+AC = 80 mm @ psi
+assembly B forward
+torque M on OA
+force F at C along -y
+friction pin A 0.1 diameter 12 mm
+find k = M/F
 """
-"""How hard the pin is loaded depends on the drive P, and that on friction in the pin."""
+"""How hard pin A is loaded depends on the friction in it alone, which is iterated."""

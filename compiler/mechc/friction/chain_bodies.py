@@ -7,15 +7,15 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 from typing import Literal
 
-from ..algebra.angle import HALF_TURN, Angle
+from ..algebra.angle import HALF_TURN, QUARTER, Angle
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
 from ..frozen import frozen
 from ..kinematics.joint_refs import JointRef
-from ..model.mechanism import Link, Load, Mechanism, PinFriction, Torque
+from ..model.mechanism import Link, Load, Mechanism, Mesh, PinFriction, Rack, Torque
 from ..named import NamedTuple
-from ..pose.pose import PointContact, Pose, Vector, gathered
+from ..pose.pose import Arm, PointContact, Pose, Vector, gathered
 from ..power.loads import occurrences
 from ..power.reactions import Reactions
 from .friction_pairs import GivenForces, LoadedPair
@@ -108,9 +108,9 @@ class Bodies:
         yield from (s.name for s in self.mechanism.slides)
         carried = {p for k in self.levers.values() for p in k.points} | self.fixed
         carried |= {p for s in self.mechanism.slides for p in s.points}
-        yield from dict.fromkeys(
-            p for k in self.rods.values() for p in k.points if p not in carried
-        )
+        points = [p for k in self.rods.values() for p in k.points]
+        points += [rack.point for rack in self.mechanism.each(Rack)]
+        yield from dict.fromkeys(p for p in points if p not in carried)
 
     def kind(self, body: str) -> BodyKind:
         """Return the kind of a body."""
@@ -187,6 +187,16 @@ class Bodies:
             if contact.body == body:
                 yield contact, True
 
+    def racks_at(self, body: str) -> Iterator[tuple[Rack, bool]]:
+        """Yield the racks that meet a body, and whether it is the wheel."""
+        for rack in self.mechanism.each(Rack):
+            if rack.link == body or rack.point in self.points(body):
+                yield rack, rack.link == body
+
+    def rack(self, name: str) -> Rack | None:
+        """Return the rack whose force is called so."""
+        return next((r for r in self.mechanism.each(Rack) if f"T_{r.point}" == name), None)
+
     def contact(self, name: str) -> PointContact | None:
         """Return the slot or contact whose force is called so."""
         return next((t for t in self.pose.contacts if f"R_{t.point}" == name), None)
@@ -202,6 +212,10 @@ class Bodies:
             if contact.body == lever:
                 tail = () if contact.tail == pivot else arms[contact.tail]
                 arms[under(contact)] = gathered((*tail, *contact.reach))
+        for rack, is_wheel in self.racks_at(lever):
+            if is_wheel:
+                across = self.pose.moved_along(rack.point) - QUARTER
+                arms[pitch(rack)] = (Arm(self.pose.radii[rack.radius], across),)
         return arms
 
     def pivot(self, lever: str) -> str:
@@ -218,6 +232,11 @@ def under(contact: PointContact) -> str:
     return f"under {contact.point}"
 
 
+def pitch(rack: Rack) -> str:
+    """Return the name of the place at which a wheel meets its rack."""
+    return f"pitch {rack.point}"
+
+
 # ---------------------------------------------------------------------------- cutting
 
 
@@ -228,6 +247,7 @@ def cut_free(task: Task, cranks: bool) -> Bodies:
     """
     mechanism, fixed = task.pose.mechanism, task.pose.mechanism.fixed
     turned = {k.link for k in mechanism.loads if isinstance(k, Torque)}
+    turned |= {rack.link for rack in mechanism.each(Rack)}
     levers = {k.name: k for k in mechanism.links if _is_lever(k, turned, cranks, fixed)}
     rods = {f"S_{k.name}": k for k in mechanism.links if k.name not in levers}
     loaded = {p.pair.joint: p for p in task.loaded}
@@ -249,13 +269,21 @@ def _has_others(bodies: Bodies, turned: Set[str]) -> bool:
     """Return whether there are bodies or joints that are none of the four kinds."""
     m = bodies.mechanism
     return (
-        bool(m.cylinders or m.meshes or m.ropes or any(link.arc for link in m.links))
+        bool(m.cylinders or m.ropes or any(link.arc for link in m.links))
+        or any(_is_other_mesh(mesh, bodies) for mesh in m.meshes)
         or any(p.pair.thrust for p in bodies.task.loaded)
         or any(_is_apart(load, bodies) for load in m.loads)
         or any(len(k.points) > 2 or k.name in turned for k in bodies.rods.values())
         or _has_strange_contacts(bodies)
         or _has_shared_points(bodies)
     )
+
+
+def _is_other_mesh(mesh: Mesh, bodies: Bodies) -> bool:
+    """Return whether two bodies mesh otherwise than a rack and a pivoted wheel."""
+    if not isinstance(mesh, Rack) or mesh.link not in bodies.levers:
+        return True
+    return bodies.pivot(mesh.link) != mesh.pivot
 
 
 def _has_strange_contacts(bodies: Bodies) -> bool:

@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from ..algebra.angle import HALF_TURN, Angle
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
-from ..model.mechanism import Link
+from ..model.mechanism import Link, Rack
 from ..pose.pose import PointContact
 from . import surfaces
-from .chain_bodies import Bodies, BodyForce, under
+from .chain_bodies import Bodies, BodyForce, pitch, under
 from .friction_pairs import radii, reduced
 from .notes import Notes
 from .signs.names import SignSymbols
@@ -37,6 +37,12 @@ class ForceLines:
             line = self._face(contact)
             place, ahead = (under(contact), line + HALF_TURN) if is_under else (contact.point, line)
             yield BodyForce(f"R_{contact.point}", place, ahead)
+        for rack, is_wheel in self._bodies.racks_at(body):
+            along = self._bodies.pose.moved_along(rack.point)
+            if is_wheel:
+                yield BodyForce(f"T_{rack.point}", pitch(rack), along + HALF_TURN)
+            else:
+                yield BodyForce(f"T_{rack.point}", rack.point, along, self._passed_on(rack))
 
     def of_rod(self, rod: Link, point: str) -> BodyForce:
         """Return the force of a rod, under a unit axial force, on the body at a point."""
@@ -84,6 +90,14 @@ class ForceLines:
             if self._signs.is_read:
                 self._notes.face(contact.point)
         return self._lines.get(name, contact.normal)
+
+    def _passed_on(self, rack: Rack) -> Product:
+        """Return the part of a gear's force that its rack gets, friction in the teeth taken off."""
+        surface = surfaces.of_rack(self._bodies, rack)
+        if surface is None:
+            return ONE
+        side = self._signs.note_sign(f"s_{rack.point}", surface.across)
+        return add((ONE, -(self.resistance(surface) * side)))
 
     def surfaces(self, rod: Link) -> list[Surface]:
         """Return the frictions of a rod, at one or both of its ends."""

@@ -179,10 +179,16 @@ class SequentialSolver:
         self.sizes[force.name] = size
         if rod and self._lines.surfaces(rod):
             self._keep(self._lines.sense_of(rod) * self._lines.counted(rod), self.sizes[force.name])
-        contact = self._bodies.contact(force.name)
-        if contact and (surface := surfaces.of_face(self._bodies, contact)):
-            side = self._signs.note_sign(f"s_{contact.point}", surface.across)
+        if surface := self._surface_of(force.name):
+            side = self._signs.note_sign(f"s_{force.name.partition('_')[2]}", surface.across)
             self._keep(side, self.sizes[force.name])
+
+    def _surface_of(self, force: str) -> surfaces.Surface | None:
+        """Return the friction of the face, or of the teeth of a rack, on which a force acts."""
+        if contact := self._bodies.contact(force):
+            return surfaces.of_face(self._bodies, contact)
+        rack = self._bodies.rack(force)
+        return surfaces.of_rack(self._bodies, rack) if rack else None
 
     def _keep(self, sign: Product, force: Product) -> None:
         """Note that a force keeps its ideal sign; one that only friction brings about has none."""

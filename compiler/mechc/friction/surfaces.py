@@ -4,7 +4,7 @@ from ..algebra.angle import HALF_TURN
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
 from ..kinematics.joint_refs import JointRef, held_end
-from ..model.mechanism import Link
+from ..model.mechanism import Link, Rack
 from ..named import NamedTuple
 from ..pose.pose import PointContact
 from ..power.definitions import bound_names
@@ -52,6 +52,15 @@ def _is_loaded_otherwise(bodies: Bodies, point: str) -> bool:
 def of_face(bodies: Bodies, contact: PointContact) -> Surface | None:
     """Return the friction of a pin on the body under it, with the ideal force on the pin."""
     found = bodies.loaded.get(JointRef("contact", contact.point))
+    if found is None:
+        return None
+    (component,) = found.components
+    return _surface(found)._replace(across=component.ideal)
+
+
+def of_rack(bodies: Bodies, rack: Rack) -> Surface | None:
+    """Return the friction of a rack's teeth, with the ideal force of the gear on the rack."""
+    found = bodies.loaded.get(JointRef("mesh", rack.point, rack.id))
     if found is None:
         return None
     (component,) = found.components

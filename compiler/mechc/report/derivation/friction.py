@@ -15,6 +15,7 @@ from ...model.mechanism import (
     Axial,
     LoadForm,
     LoadRatio,
+    Rack,
     RopeFriction,
     ThreadFriction,
     WithFriction,
@@ -256,6 +257,10 @@ def _how(steps: Sequence[FrictionStep], pose: Pose) -> Iterator[Paragraph]:
         if force.name in used and touch.point not in turned:
             names = {"point": (touch.point,), "link": (touch.body,)}
             yield Paragraph(SentenceKind.FORCE_OF_TOUCH, names=names, formulas={"force": force})
+    for rack in mechanism.each(Rack):
+        force, joint = Symbol(f"T_{rack.point}"), {"pivot": (rack.pivot,), "point": (rack.point,)}
+        if force.name in used:
+            yield Paragraph(SentenceKind.FORCE_OF_RACK, names=joint, formulas={"force": force})
     if mechanism.symmetries:
         yield Paragraph(SentenceKind.PART)
 
