@@ -80,6 +80,30 @@ def test_equations_that_are_short_are_printed_for_either_sense_of_motion():
     assert shown.count("Newton") == 1
 
 
+TRANSLATING = """
+param r = 8 mm
+pivot O
+slider K along y
+link AOB
+link BK
+OA = 150 mm @ 180 deg
+OB = 60 mm @ 0 deg
+BK = 30 mm @ 80 deg
+force Q at A along -y
+force P at K along -y
+friction pins 0.15 diameter 2*r
+find k = Q/P
+"""
+
+
+def test_where_a_rod_does_not_turn_on_a_pin_its_force_goes_through_the_middle_of_it():
+    """B and K both move upwards: two friction circles had an external tangent, askew."""
+    found = compile_source(Source("lever.mech", TRANSLATING))
+    page = " ".join(render(found.derivation, found.mechanism).split())
+    assert "The force in BK touches the friction circle of the pin B and goes through" in page
+    assert "tangent" not in page
+
+
 def test_letters_of_what_is_iterated_are_no_names_of_the_description():
     """A crank of radius r, or a point D, is on the same page."""
     for written, equation in (

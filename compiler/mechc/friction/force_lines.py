@@ -71,13 +71,19 @@ class ForceLines:
         The sine of its angle to the rod is what the radii come to together, over the length.
         """
         direction, length = self._bodies.vector(rod)
-        radii_with_sense = [self.resistance(end) for end in self.surfaces(rod)]
-        offset = add(radii_with_sense)
+        resistances = self._resistances(rod)
+        offset = add(resistances.values())
         turn = -(self.sense_of(rod) * offset) / length if offset else ZERO
         tangent = self._signs.turn_line(f"delta_{rod.name}", direction, "asin", turn)
-        if radii_with_sense and self._signs.is_read:
-            self._notes.rod(rod, self.sense_of(rod), radii_with_sense, turn)
+        if resistances and self._signs.is_read:
+            self._notes.rod(rod, self.sense_of(rod), resistances, turn)
         return tangent
+
+    def _resistances(self, rod: Link) -> dict[str, Product]:
+        """Return the friction of the pins on which a rod turns, by their points."""
+        surfaces_at = ((p, surfaces.of_rod(self._bodies, rod, p)) for p in rod.points)
+        found = {p: self.resistance(surface) for p, surface in surfaces_at if surface}
+        return {p: resistance for p, resistance in found.items() if resistance}
 
     def _face(self, contact: PointContact) -> Angle:
         """Return the line of the force on a pin: the normal turned by the angle of friction."""

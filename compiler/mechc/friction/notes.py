@@ -25,15 +25,18 @@ class Notes:
         self._named: dict[str, Formula] = {}
         self._noted = 0
 
-    def rod(self, rod: Link, sense: Product, resistances: Sequence[Product], turn: Product) -> None:
-        """Note the line of a rod's force."""
-        senses = {exact_sign(r.coefficient) for r in resistances}
+    def rod(
+        self, rod: Link, sense: Product, resistances: Mapping[str, Product], turn: Product
+    ) -> None:
+        """Note the line of a rod's force, by the friction at the pins on which it turns."""
+        senses = {exact_sign(r.coefficient) for r in resistances.values()}
         kind: StepKind = "internal" if len(senses) == 1 else "external"
+        pivot = ""
         if len(resistances) == 1:
-            kind = "single"
+            kind, (pivot,) = "single", resistances
         elif not turn:
             kind = "parallel"
-        self._note(kind, rod.name, sense=exact_sign(sense.coefficient))
+        self._note(kind, rod.name, pivot, exact_sign(sense.coefficient))
 
     def face(self, point: str) -> None:
         """Note the line of a force on a face."""

@@ -42,9 +42,9 @@ class FrictionStep:
     """A rod's line of force, a body in balance, or what all frictions add together.
 
     ``body`` is a link or a point, or the only pair that is iterated, ``pivot`` the point that a
-    lever turns on. ``sense`` is 1 for a rod that is pressed or a lever that turns
-    counter-clockwise, -1 for the opposite. ``equations`` are pairs that are equal, ``defined``
-    what gets a name by it.
+    lever turns on, or the only pin on which a rod turns with friction. ``sense`` is 1 for a rod
+    that is pressed or a lever that turns counter-clockwise, -1 for the opposite. ``equations`` are
+    pairs that are equal, ``defined`` what gets a name by it.
     """
 
     kind: StepKind

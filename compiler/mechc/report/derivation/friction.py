@@ -328,7 +328,7 @@ def _of_step(
     """
     match step.kind:
         case "internal" | "external" | "parallel" | "single":
-            names = {"link": (step.body,)}
+            names = {"link": (step.body,), "point": (step.pivot,)}
             rod = SentenceKind.IN_COMPRESSION if step.sense > 0 else SentenceKind.IN_TENSION
             yield Paragraph(rod, names=names)
             yield Paragraph(_LINES[step.kind], tuple(new), names)

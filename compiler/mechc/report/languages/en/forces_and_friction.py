@@ -94,8 +94,8 @@ WORDS = {
     "circles at its ends, as it turns on its pins in opposite ways.",
     "parallel": "The force in {link} keeps its direction: the external common tangent of equal "
     "friction circles is parallel to it.",
-    "single": "The force in {link} goes through the pin at one end and touches the friction "
-    "circle at the other.",
+    "single": "The force in {link} touches the friction circle of the pin {point} and goes through "
+    "the middle of the pin at the other end, where no friction acts.",
     "face": "The whole force {force} of the face on {point}, the normal force with friction, "
     "is turned from the normal by the angle of friction.",
     "moments": "Moments about {point} of the forces on {link}:",
