@@ -59,6 +59,33 @@ def test_a_kind_of_loop_that_comes_again_is_said_of_its_own_points(kind, languag
     assert "RST" in again or "R, S" in again
 
 
+QUICK_RETURN = """
+mechanism quick
+param phi = 40 deg
+param psi: angle
+pivot O at (0 mm, 0 mm)
+pivot C at (0 mm, -50 mm)
+link OA
+link CB
+slot A in CB
+OA = 120 mm @ phi
+CB = 80 mm @ psi + 180 deg
+drive phi from 0 deg to 180 deg
+torque M on OA
+force Q at B along x
+find k = M/Q
+"""
+
+
+def test_a_slot_whose_direction_has_a_name_is_along_the_vector_that_gives_it():
+    compilation = Compilation(Source("quick.mech", QUICK_RETURN))
+    (step,) = compilation.derivation.position
+    assert [d.name for d in step.definitions] == ["len_AC", "phi_AC", "psi"]
+    spell = speller((), compilation.mechanism, False, "en")
+    (said,) = position_sentences([step], locale("en"), spell)
+    assert said.startswith("Loop CAO: the slot has the direction of the vector AC,")
+
+
 SLIDER = slider_crank("find k = M/F", l="3*r", phi="40 deg", drive="")
 
 

@@ -89,8 +89,12 @@ def _of_radius(step: PositionStep, mechanism: Mechanism) -> PositionStep:
 
 
 def _between_ends(step: PositionStep, mechanism: Mechanism) -> PositionStep:
-    """Return a step with the vector that it finds alone; one of a telescope says so."""
-    parts = {_vector(definition.name) for definition in step.definitions}
+    """Return a step with the vector that it finds alone; one of a telescope says so.
+
+    A parameter that it finds as well, as the direction of a slot, is none.
+    """
+    vectors = [_vector(definition.name) for definition in step.definitions]
+    parts = {v for v in vectors if len(split_points(v)) == VECTOR_POINTS}
     part = min(parts) if len(parts) == 1 else ""
     ends = frozenset("".join(point) for point in split_points(part))
     if len(ends) != VECTOR_POINTS:
