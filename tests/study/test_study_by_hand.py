@@ -210,6 +210,35 @@ def test_equal_radii_are_no_dead_centre():
     assert (text(zero.factor), zero.cause) == ("r2 - r4", "other")
 
 
+HOIST = """
+mechanism hoist
+param a = 300 mm
+pivot O
+slider K along y
+slider A along y
+slider B along -y
+link OC
+OC = a @ {angle}
+rack A on O 80 mm
+rack B on O 60 mm
+rope A, K along -y, B along y
+force P at C along y
+force Q at K along -y
+find k = P/Q
+"""
+
+
+def test_equal_drums_are_no_dead_centre_where_they_are_numbers():
+    """The falls gain and lose the same in every pose; the crank's end moves across P at 90°."""
+    (plain,) = compile_source(Source("hoist.mech", HOIST.format(angle="0 deg"))).results
+    (zero,) = plain.zeros
+    assert (text(zero.factor), zero.cause) == ("r_O - r_O_2", "other")
+    turned = HOIST.format(angle="phi").replace("pivot", "param phi = 20 deg\npivot", 1)
+    (turning,) = compile_source(Source("hoist.mech", turned)).results
+    (pole,) = turning.poles
+    assert (text(pole.factor), pole.cause) == ("cos(phi)", "perpendicular load")
+
+
 @pytest.mark.parametrize(("lengths", "is_zero"), [((0.3, 0.2), True), ((0.3, 0.3), False)])
 def test_where_lengths_are_equal_a_zero_may_be_none(lengths, is_zero):
     """sin α/(a - b·cos α) vanishes at α = 0, and grows without end there where a = b."""

@@ -1,16 +1,18 @@
 """Why a ratio of loads is zero or infinite: what stands still, or moves across its load."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from ..algebra.angle import QUARTER
 from ..algebra.factors import Factor
 from ..algebra.orders import AngleRoot, order
 from ..algebra.product import Product
 from ..algebra.sums import canonical
-from ..formula.walk import symbols
+from ..formula.tree import Formula
+from ..formula.walk import constants, symbols
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force
 from ..model.parts.loads import SpeedAgainst
+from ..pose.pose import Pose, Vector
 from ..power.balance import AlgebraicResult, Balance, Term
 from .analysis import Acted, Cause, DeadCentre
 
@@ -34,10 +36,30 @@ def cause(
 
 
 def _is_of_sizes(factor: Factor, balance: Balance) -> bool:
-    """Return whether radii and pitches alone decide: equal ones are a choice, and no position."""
-    sizes = (size.formula() for size in balance.plan.graph.pose.radii.values())
-    names = symbols(factor.formula())
-    return bool(names) and names <= symbols(*sizes)
+    """Return whether dimensions alone decide: equal ones are a choice, and no position."""
+    names = _names(factor.formula())
+    return bool(names) and names <= _sizes(balance.plan.graph.pose)
+
+
+def _sizes(pose: Pose) -> frozenset[str]:
+    """Return the names of what stays as it is: lengths within rigid bodies, radii and pitches."""
+    moved = {t.name for t in pose.mechanism.telescopes}
+    rigid = {name: frame for name, frame in pose.frames.items() if name not in moved}
+    bodies = [pose.mechanism.fixed, *map(frozenset, rigid.values())]
+    between = [v for ends, v in pose.vectors.items() if not any(map({*ends}.issubset, bodies))]
+    inside = (vector for frame in rigid.values() for vector in frame.values())
+    found = frozenset(d.name for d in pose.definitions).union(pose.rates)
+    kept = _names(*(radius.formula() for radius in pose.radii.values())) | _in_lengths(inside)
+    return kept - _in_lengths(between) - found
+
+
+def _in_lengths(vectors: Iterable[Vector]) -> frozenset[str]:
+    return _names(*(arm.length.formula() for vector in vectors for arm in vector))
+
+
+def _names(*formulas: Formula) -> frozenset[str]:
+    """Return all names in formulas, those of numbers too."""
+    return symbols(*formulas).union(constant.name for constant in constants(formulas))
 
 
 def _is_theirs(
