@@ -623,6 +623,18 @@ def test_the_condition_of_an_efficiency_is_stated(tmp_path, capsys):
     assert "eta_k runs from 0 (nothing moves) to 0.983" in out
 
 
+@pytest.mark.parametrize("command", ["derive", "stroke"])
+def test_an_efficiency_next_to_a_limit_has_as_many_digits_as_keep_it_apart(
+    command, tmp_path, capsys
+):
+    """At 23.4° it is 0.8997, below 0.9, and not within 0.9 to 0.95."""
+    assert round(by_hand(math.radians(23.4)), 4) == 0.8997
+    description = FEDORIV.format(alpha=30).replace("in 1 deg", "in 23.4 deg")
+    drive = "drive alpha from 23.4 deg to 45 deg\n" if command == "stroke" else ""
+    out = stated(description + drive, tmp_path, capsys, command)
+    assert "runs from 0.8997 to 0.945; it is between 0.9 and 0.95" in out
+
+
 @pytest.mark.parametrize("points", in_thirds([66, 651]))
 def test_each_row_of_a_stroke_states_what_is_stuck(points, tmp_path, capsys):
     path = tmp_path / "m.mech"

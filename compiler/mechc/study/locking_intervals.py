@@ -17,6 +17,24 @@ Range = tuple[float, float]
 USUAL: Range = (0.9, 0.95)
 """The efficiency that textbooks assume of oiled joints (Karpenko: η = 0.9 … 0.95)."""
 
+LIMITS = (0.0, *USUAL, 1.0)
+"""The values between which it is said how an efficiency runs."""
+
+SHARE_DIGITS, MOST_SHARE_DIGITS = 3, 6
+"""Decimals of an efficiency; so many at most where fewer round it to a limit."""
+
+
+def rounded_share(value: float) -> str:
+    """Return an efficiency with few digits, more where these were a limit that it is not.
+
+    >>> rounded_share(0.949789), rounded_share(0.95), rounded_share(0.9712), rounded_share(1.0)
+    ('0.9498', '0.95', '0.971', '1')
+    """
+    rounded = [round(value, digits) for digits in range(SHARE_DIGITS, MOST_SHARE_DIGITS + 1)]
+    apart = (share for share in rounded if share not in LIMITS)
+    shown = f"{next(apart, rounded[0]) + 0.0:.{MOST_SHARE_DIGITS}f}"
+    return shown.rstrip("0").rstrip(".")
+
 
 class Bound(NamedTuple):
     """An end of a stretch, and the same as a formula where one is known.

@@ -15,6 +15,7 @@ from ...study.locking_intervals import (
     LockingInterval,
     LockingIntervals,
     Range,
+    rounded_share,
 )
 from ...units import behind, size_of
 from ..languages.locale import Locale
@@ -25,10 +26,7 @@ FoundAlong = LockingIntervals | EfficiencyRange | Extent
 """What is stated along a parameter."""
 
 DIGITS, MOST = 4, 10
-"""Significant digits of a value; so many at most where fewer make one of the ends of an interval.
-
-Two are enough for an efficiency.
-"""
+"""Significant digits of a value, and the most where fewer make one of the ends of an interval."""
 
 ROUNDED_ZERO = 1e-7
 """An angle in radians that is nothing but rounding, next to a pose in which all sides lie flat."""
@@ -223,7 +221,7 @@ def _apart(ends: Sequence[float], reach: FoundAlong, spell: Speller) -> int:
 
 
 def _share(value: float, locale: Locale, spell: Speller) -> str:
-    shown = spelled(number(Fraction(f"{value:.3f}")), spell)
+    shown = spelled(number(Fraction(rounded_share(value))), spell)
     return shown if value else locale.still.format(least=shown)
 
 

@@ -10,7 +10,7 @@ from ...formula.letters import Letters, lettered, letters, of_unit
 from ...formula.to_text import text
 from ...named import NamedTuple
 from ...study.analysis import DeadCentre
-from ...study.locking_intervals import USUAL, EfficiencyRange
+from ...study.locking_intervals import USUAL, EfficiencyRange, rounded_share
 from ...study.stroke.stroke import (
     ChangePoint,
     Content,
@@ -288,7 +288,7 @@ def _standstill(found: StandstillInterval, shown: WrittenStroke) -> str:
 def _efficiency_range(name: str, efficiency: EfficiencyRange, shown: WrittenStroke) -> str:
     parts = [shown.says("from", span=_span(*part, shown)) for part in efficiency.usual]
     reached = (efficiency.least, efficiency.greatest, *USUAL)
-    least, greatest, low, high = (shown.number(f"{round(x, 3):g}") for x in reached)
+    least, greatest, low, high = (shown.number(rounded_share(x)) for x in reached)
     where = shown.says("and").join(parts) or shown.says("no part")
     if not efficiency.is_of_joints:
         return shown.says("course alone", name=name, least=least, greatest=greatest)
