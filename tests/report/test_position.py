@@ -164,7 +164,7 @@ find k = M/T
 """
 
 
-@pytest.mark.parametrize(("coupler", "kind"), [("120", "equal"), ("119", "triangle")])
+@pytest.mark.parametrize(("coupler", "kind"), [("120", "parallelogram"), ("119", "triangle")])
 def test_what_follows_from_equal_numbers_is_said(coupler, kind):
     """In a parallelogram the rocker stands as the crank does, and no law of cosines says so."""
     source = Source("m.mech", BY_NUMBERS.format(coupler=coupler))
@@ -175,9 +175,47 @@ def test_what_follows_from_equal_numbers_is_said(coupler, kind):
 def test_directions_that_vectors_have_put_in_are_said_where_they_were_found():
     """The bars of a rhombus are parallel, which velocities rest on without naming them."""
     *_, last = steps("peaucellier_closed")
-    assert (last.kind, last.points) == ("equal", ("C", "P", "B", "O"))
+    assert (last.kind, last.points) == ("rhombus", ("A", "B", "P", "C"))
     shown = {d.name: text(d.formula) for d in last.definitions}
     assert shown == {"phi_BP": "phi - phi_AB", "phi_CP": "phi_AB"}
+
+
+@pytest.mark.parametrize(
+    ("rod", "kind", "points"),
+    [("r", "isosceles", ("O", "A", "B")), ("l", "inclination", ("O", "B", "A"))],
+)
+def test_a_slider_crank_of_two_equal_bars_is_an_isosceles_triangle(rod, kind, points):
+    text = slider_crank("find k = M/F", drive="").replace("AB = l", f"AB = {rod}")
+    (step,) = Compilation(Source("m.mech", text)).derivation.position
+    assert (step.kind, step.points) == (kind, points)
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("en", "Triangle OBK is isosceles, OB = BK: its directions follow at once."),
+        ("uk", "Трикутник OBK рівнобедрений, OB = BK, тож напрями визначаються безпосередньо."),
+        (
+            "ru",
+            "Треугольник OBK равнобедренный, OB = BK, поэтому направления определяются "
+            "непосредственно.",
+        ),
+    ],
+)
+def test_it_is_said_which_figure_equal_sides_make(language, sentence):
+    step = PositionStep("isosceles", ("O", "B", "K"), None, ())
+    spell = speller((), compiled("four_bar").pose.mechanism, True, language)
+    assert list(position_sentences([step], locale(language), spell)) == [sentence]
+
+
+@pytest.mark.parametrize(("language", "word"), [("en", "rhombus"), ("uk", "ромб"), ("ru", "ромб")])
+def test_a_parallelogram_of_equal_sides_is_a_rhombus(language, word):
+    compilation = compiled("peaucellier_closed")
+    spell = speller(compilation.results, compilation.mechanism, True, language)
+    *_, said = position_sentences(steps("peaucellier_closed"), locale(language), spell)
+    assert "ABPC" in said
+    assert word in said
+    assert [step.kind for step in steps("gripper_closed")][1] == "parallelogram"
 
 
 UNNAMED = """
@@ -200,7 +238,7 @@ find k = M/F
 
 def test_a_parallelogram_is_one_before_any_velocity():
     (step,) = Compilation(Source("m.mech", UNNAMED)).derivation.position
-    assert step.kind == "equal"
+    assert step.kind == "parallelogram"
     shown = {d.name: text(d.formula) for d in step.definitions}
     assert shown == {"phi_QB": "phi", "phi_AB": "atan2(y_Q, x_Q)"}
 

@@ -84,12 +84,16 @@ PositionKind = Literal[
     "angle",
     "cylinder",
     "telescope",
+    "isosceles",
+    "parallelogram",
+    "rhombus",
 ]
 """How a loop is solved, or gives one ``length`` or the ``inclination`` of a link alone, or of the
 ``radius`` of a circular slot, alone or with the place of the pin on its guide; that it is
 a triangle ``congruent`` to an earlier one, that a vector is the ``sum`` of others, or that an
 ``angle`` of a link is given by a formula. A ``telescope`` between points that have places is a
-``cylinder`` where an actuator works in it."""
+``cylinder`` where an actuator works in it. Of a loop that equal lengths close it is said
+which figure they make, as far as that is seen."""
 
 
 class SentenceKind(Word):

@@ -4,5 +4,5 @@ TYPE_CHECKING = False
 if not TYPE_CHECKING:
     from ...later import waiting
 
-    SELDOM = {"equilibrium", "friction"}
+    SELDOM = {"equal_sides", "equilibrium", "friction"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -14,6 +14,7 @@ from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop
 from ..kinds import PositionKind
 from ..steps import Derivation, Equation, PositionStep
+from . import equal_sides
 
 
 def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]:
@@ -63,6 +64,8 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
             given = (Definition(n, formulas[n]) for n in names)
             found = (*given, *shown) if loop.kind == "mirrored" else (*shown, *given)
             step = _of_radius(_introduced(loop, _kind(loop, found), found), pose.mechanism)
+            if step.kind == "equal":
+                step = equal_sides.with_figure(step, {_ends(d.name) for d in found}, pose)
             yield _between_ends(step, pose.mechanism) if loop.kind in BETWEEN_ENDS else step
 
 

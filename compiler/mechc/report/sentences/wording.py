@@ -1,7 +1,7 @@
 """A derivation put into words, whatever the language and whoever prints."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from itertools import groupby
+from itertools import groupby, pairwise
 from typing import TypeVar
 
 from ...algebra.from_formula import to_product
@@ -78,9 +78,7 @@ def position_sentences(
     listed = [*steps]
     templates = _in_full_once([step.kind for step in listed], locale.loops, locale.loops_again)
     for step, template in zip(listed, templates, strict=True):
-        yield " ".join(
-            (_of_loop(step, template, locale, spell.point), *_introduced(step, locale, spell))
-        )
+        yield " ".join((_of_loop(step, template, locale, spell), *_introduced(step, locale, spell)))
 
 
 def _introduced(step: PositionStep, locale: Locale, spell: Speller) -> Iterator[str]:
@@ -100,8 +98,9 @@ def _introduced(step: PositionStep, locale: Locale, spell: Speller) -> Iterator[
         yield locale.introduced[place].format(pin=spell.point(step.pin))
 
 
-def _of_loop(step: PositionStep, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
+def _of_loop(step: PositionStep, template: str, locale: Locale, speller: Speller) -> str:
     """Return the sentence on a loop: its points, its turn, and what is found by it."""
+    spell = speller.point
     turn = locale.turns["cw" if step.is_clockwise else "ccw"]
     loop, like = (spell("".join(points)) for points in (step.points, step.like))
     side = spell("".join((step.points[0], step.points[-1]))) if step.points else ""
@@ -112,11 +111,18 @@ def _of_loop(step: PositionStep, template: str, locale: Locale, spell: Callable[
         like=like,
         side=side,
         part=part,
+        sides=_legs(step.points, speller),
         found=locale.introduced[_found(step)],
         turn=turn,
         pins=enumeration(map(spell, pins), locale),
         all=enumeration(map(spell, step.points), locale),
     )
+
+
+def _legs(points: Sequence[str], spell: Speller) -> str:
+    """Return that the sides at the middle of three points are equal: ``OB = BK``."""
+    legs = tuple(Symbol(f"len_{tail}{head}") for tail, head in pairwise(points[:3]))
+    return spell.relation(legs, ("=",) * (len(legs) - 1), False) if legs else ""
 
 
 def _found(step: PositionStep) -> str:

@@ -147,6 +147,11 @@ LOCALE = Locale(
         "cylinder": "The cylinder {part}: the places of its ends give {found}.",
         "telescope": "The telescopic link {part}: the places of its ends give {found}.",
         "equal": "Loop {loop}: lengths in it are equal, so that its directions follow at once.",
+        "isosceles": "Triangle {loop} is isosceles, {sides}: its directions follow at once.",
+        "parallelogram": "Opposite sides of {loop} are equal: it is a parallelogram, so that they "
+        "are parallel.",
+        "rhombus": "All sides of {loop} are equal: it is a rhombus, so that opposite sides are "
+        "parallel.",
         "mirrored": "Loop {loop}: its unknown sides are as long as the known ones, so that they "
         "have the directions of these, mirrored in the line {side}.",
         "congruent": "Triangles {loop} and {like} are congruent by their three sides: their angles "
