@@ -6,7 +6,7 @@ from functools import cache
 import pytest
 
 import mechc
-from good_mechanisms import compiled, loaded
+from good_mechanisms import begun, compiled, loaded
 from mechc.cli.check_lines import report
 from mechc.compilation import compile_source
 from mechc.files import find, read
@@ -102,6 +102,40 @@ def test_where_a_rod_does_not_turn_on_a_pin_its_force_goes_through_the_middle_of
     page = " ".join(render(found.derivation, found.mechanism).split())
     assert "The force in BK touches the friction circle of the pin B and goes through" in page
     assert "tangent" not in page
+
+
+TRAIN = """
+pivot O1 at (0 mm, 0 mm)
+pivot O2 at (60 mm, 0 mm)
+pivot O3 at (130 mm, 0 mm)
+link O1C
+link O2E
+link O3D
+O1C = 100 mm @ 0 deg
+O2E = 50 mm @ 90 deg
+O3D = 80 mm @ 0 deg
+gear O1 20 mm, O2 40 mm
+gear O2 15 mm, O3 55 mm
+friction gear O1 0.03
+friction gear O2 0.03
+force P at C along -y
+force Q at D along -y
+find k = P/Q
+"""
+
+
+def test_it_is_said_what_the_force_of_teeth_is_and_whether_friction_changes_it():
+    """A clutch is pressed by W alone; the force of one pair of gears rests on the next pair."""
+    pages = [
+        " ".join(render(found.derivation, found.mechanism).split())
+        for found in (begun("plate_clutch"), compile_source(Source("train.mech", TRAIN)))
+    ]
+    known, on_others = "which friction does not change", "which itself depends on the friction"
+    teeth = "In gears, belts and racks n is the force that is passed on, and v is the velocity"
+    assert [[words in page for words in (known, on_others, teeth)] for page in pages] == [
+        [True, False, False],
+        [False, True, True],
+    ]
 
 
 def test_letters_of_what_is_iterated_are_no_names_of_the_description():

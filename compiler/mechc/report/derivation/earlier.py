@@ -1,6 +1,6 @@
 """Steps of friction stated for earlier results: a name has one meaning, a line stands once."""
 
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...formula.tree import ZERO, Formula, Symbol, is_call
 from ...formula.walk import substitute, symbols
@@ -9,6 +9,9 @@ from ...frozen import replace
 from ...model.mechanism import (
     LoadForm,
     LoadRatio,
+    Mechanism,
+    ThreadFriction,
+    WheelFriction,
     WithFriction,
 )
 from ...model.parts.targets import HOLDING
@@ -23,34 +26,34 @@ _ONCE = {"internal", "external", "parallel", "single", "face", "iterated"}
 class EarlierSteps:
     """The names and lines of the steps entered so far, so that nothing is stated twice."""
 
-    def __init__(
-        self,
-        turns: Iterable[str],
-        iterated: Iterable[Definition] = (),
-        threads: Iterable[str] = (),
-        loads: Sequence[str] = (),
-        named: Container[str] = (),
-    ) -> None:
+    def __init__(self, mechanism: Mechanism, iterated: Iterable[Definition] = ()) -> None:
         """Begin with the angles of friction, and the forces that results find by iteration.
 
-        ``threads`` are the points at which screws have friction in their threads. The names of
-        ``loads`` are those that these have without friction. The description has ``named`` its own
-        quantities and points, so that no letter of the page may be one of these.
+        The names of loads are those that these have without friction.
         """
-        self.turns = set(turns)
+        joints, loads = mechanism.friction.joints, [load.name for load in mechanism.loads]
+        self.turns = set(mechanism.friction.parameters)
         """Names of angles by which friction turns a force, those of friction itself."""
-        self.named = named
+        points = (point for body in mechanism.bodies for point in body.points)
+        sizes = (size.name for size in (*mechanism.parameters, *mechanism.literals))
+        self.named = frozenset((*loads, *points, *sizes))
+        """Names of the description, none of which a letter of the page may be."""
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
         self._found: dict[str, Formula] = {name: Symbol(name) for name in loads} | dict(iterated)
         self._sentences: set[tuple[SentenceKind, tuple[tuple[str, Formula], ...]]] = set()
         self._equations: set[tuple[Formula, Formula]] = set()
         self._stated: set[Equation] = set()
-        self._threads = tuple(f"{point}_screw_" for point in threads)
+        self._threads = {f"{j.point}_screw" for j in joints if isinstance(j, ThreadFriction)}
+        self._rims = {f"{j.point}_{j.kind}" for j in joints if isinstance(j, WheelFriction)}
 
     def is_of_thread(self, name: str) -> bool:
         """Return whether a force ``n_A_screw`` or a slip ``v_A_screw`` is that of a thread."""
-        return f"{name.partition('_')[2]}_".startswith(self._threads)
+        return _joint_of(name) in self._threads
+
+    def is_of_rim(self, name: str) -> bool:
+        """Return whether a force ``n_O1_gear`` or a slip is that of a gear, a belt or a rack."""
+        return _joint_of(name) in self._rims
 
     def enter_forces(
         self, steps: Sequence[FrictionStep], asked: WithFriction, result: str
@@ -118,6 +121,11 @@ class EarlierSteps:
             if said not in self._sentences:
                 self._sentences.add(said)
                 yield paragraph
+
+
+def _joint_of(name: str) -> str:
+    """Return the joint of a force or a slip: ``A_screw`` of ``n_A_screw_hold``."""
+    return "_".join(name.split("_")[1:3])
 
 
 def _forces(steps: Iterable[FrictionStep]) -> Iterator[tuple[Symbol, Formula]]:

@@ -1,6 +1,6 @@
 """How friction comes into a result, body after body, as a teacher would write it."""
 
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import assert_never
 
@@ -17,7 +17,6 @@ from ...model.mechanism import (
     LoadRatio,
     Rack,
     RopeFriction,
-    ThreadFriction,
     WithFriction,
     tension_share,
 )
@@ -68,15 +67,8 @@ def of_friction(solution: FrictionSolution, results: Sequence[Analysis]) -> Iter
     ``results`` are these in the form in which they are shown.
     """
     pose = solution.plan.graph.pose
-    mechanism = pose.mechanism
     iterated = (d for r in results for d in r.where if d.name in r.inside)
-    joints = mechanism.friction.joints
-    threads = (joint.point for joint in joints if isinstance(joint, ThreadFriction))
-    loads = [load.name for load in mechanism.loads]
-    points = (point for body in mechanism.bodies for point in body.points)
-    sizes = (size.name for size in (*mechanism.parameters, *mechanism.literals))
-    named = {*loads, *points, *sizes}
-    earlier = EarlierSteps(mechanism.friction.parameters, iterated, threads, loads, named)
+    earlier = EarlierSteps(pose.mechanism, iterated)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is not None and solved and solved[0].steps:
@@ -301,13 +293,13 @@ def _paragraphs(
     if step.kind == "first order":
         yield from _first_order((*new, *found), asked, earlier)
     elif step.kind == "straight" or step.kind == "ropes":
-        sentence = SentenceKind.ROPES if step.kind == "ropes" else SentenceKind.STRAIGHT
+        sentence = SentenceKind.ROPES if step.kind == "ropes" else _of_frictions(equations)
         lines = tuple(earlier.enter_lines(_by_name([*new, *equations])))
-        yield from earlier.enter_sentences(_of_threads(lines, _STRAIGHT, earlier))
+        yield from earlier.enter_sentences(_of_meshes(lines, _STRAIGHT, earlier))
         yield Paragraph(sentence, lines, formulas=_STRAIGHT)
     elif step.kind == "pressing":
         pressing = {"force": _FORCE}
-        yield from _of_threads(equations, pressing, earlier)
+        yield from _of_meshes(equations, pressing, earlier)
         yield Paragraph(SentenceKind.PRESSING, tuple(equations), formulas=pressing)
     elif step.kind == "iterated":
         yield _iterated(equations, bool(step.body), earlier.named)
@@ -423,9 +415,9 @@ def _first_order(
 
 
 def _slips(names: Sequence[str], force: Symbol, earlier: EarlierSteps) -> Iterator[Paragraph]:
-    """Yield what the slips are that have names, and what the ``force`` of a thread is."""
-    threads = [name for name in names if earlier.is_of_thread(name)]
-    slips = [(n.partition("_")[0], n.endswith("_face")) for n in names if n not in threads]
+    """Yield what the slips are that have names, and what the ``force`` of a mesh is."""
+    meshed = [n for n in names if earlier.is_of_thread(n) or earlier.is_of_rim(n)]
+    slips = [(n.partition("_")[0], n.endswith("_face")) for n in names if n not in meshed]
     kinds = {kind for kind, _ in slips}
     if ("Omega", False) in slips:
         yield Paragraph(SentenceKind.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")})
@@ -433,19 +425,43 @@ def _slips(names: Sequence[str], force: Symbol, earlier: EarlierSteps) -> Iterat
         yield Paragraph(SentenceKind.SLIP_OF_CIRCULAR_SLOT, formulas={"turn": Symbol("Omega")})
     if "v" in kinds:
         yield Paragraph(SentenceKind.SLIP_OF_FACE, formulas={"speed": Symbol("v")})
-    if threads:
-        yield Paragraph(SentenceKind.SLIP_OF_THREAD, formulas={"force": force, "speed": _SPEED})
+    yield from _meshes(meshed, {"force": force, "speed": _SPEED}, earlier)
 
 
-def _of_threads(
+def _of_meshes(
     equations: Iterable[Equation], formulas: Mapping[str, Formula], earlier: EarlierSteps
 ) -> Iterator[Paragraph]:
-    """Yield what the force of a thread is, and its slip where that has a name."""
+    """Yield what the forces of threads and rims are, and their slips where these have names."""
     names = {name for equation in equations for side in equation for name in symbols(side)}
+    yield from _meshes(names, formulas, earlier)
+
+
+def _meshes(
+    names: Collection[str], formulas: Mapping[str, Formula], earlier: EarlierSteps
+) -> Iterator[Paragraph]:
+    """Yield what the forces of threads and rims by these names are."""
+    has_slip = "speed" in formulas
     if any(map(earlier.is_of_thread, names)):
-        has_slip = "speed" in formulas
         kind = SentenceKind.SLIP_OF_THREAD if has_slip else SentenceKind.PRESSING_OF_THREAD
         yield Paragraph(kind, formulas=formulas)
+    if any(map(earlier.is_of_rim, names)):
+        kind = SentenceKind.SLIP_OF_RIM if has_slip else SentenceKind.PRESSING_OF_RIM
+        yield Paragraph(kind, formulas=formulas)
+
+
+def _of_frictions(equations: Iterable[Equation]) -> SentenceKind:
+    """Return the sentence of frictions along one line each, where each is known by itself or not.
+
+    ``n = W`` is known; ``n - f*n = W`` and ``n = f*n_B + W`` depend on frictions.
+    """
+    forces = [e for e in equations if any(map(_is_pressing, symbols(e.left)))]
+    known = all(isinstance(e.left, Symbol) for e in forces)
+    own = any(map(_is_pressing, symbols(*(e.right for e in forces))))
+    return SentenceKind.STRAIGHT_KNOWN if known and not own else SentenceKind.STRAIGHT
+
+
+def _is_pressing(name: str) -> bool:
+    return name.startswith("n_")
 
 
 def _moments(

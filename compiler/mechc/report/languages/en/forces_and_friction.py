@@ -124,6 +124,9 @@ WORDS = {
     "pressing of thread": "In a thread {force} is the axial component of the normal force.",
     "slip of thread": "In a thread {force} is the axial component of the normal force, and {speed} "
     "is the sliding velocity divided by the cosine of the lead angle.",
+    "pressing of rim": "In gears, belts and racks {force} is the force that is passed on.",
+    "slip of rim": "In gears, belts and racks {force} is the force that is passed on, and {speed} "
+    "is the velocity of the pitch circle.",
     "rope friction": "Where a rope or band slides around a pulley or drum, the tension on one "
     "side is {ratio} times that on the other, {angle} being the angle of wrap (Euler, Eytelwein).",
     "rope, smaller tension": "{force} is the smaller of the two, which the equilibrium of the "
@@ -135,6 +138,9 @@ WORDS = {
     "straight": "Each friction force is its coefficient times the normal force {force}, which "
     "itself depends on the friction forces. Its power is this times the sliding velocity {speed}, "
     "per unit of the drive’s velocity:",
+    "straight, known": "Each friction force is its coefficient times the normal force {force}, "
+    "which friction does not change. Its power is this times the sliding velocity {speed}, per "
+    "unit of the drive’s velocity:",
     "efficient": "The efficiency is given: the part of the driving power that reaches the load.",
     "powers of friction": "Each joint with friction adds its coefficient times the force {force} "
     "times the sliding velocity, per unit of the drive’s velocity.",
