@@ -104,10 +104,15 @@ def _place(name: str, points: Container[str]) -> tuple[str, str]:
 
     >>> _place("x_O", {"O"}), _place("y_D0", {"D"}), _place("delta_BAG", {}), _place("len_AB", {})
     (('coordinate', 'O'), ('guide', 'D'), ('angle', 'BAG'), ('', ''))
+    >>> _place("r_O1_2", {"O1"})
+    ('radius', 'O1')
     >>> _place("y_OA", {"O", "A"})
     ('y component', 'OA')
     """
     kind, _, of = name.partition("_")
+    point, _, number = of.rpartition("_")
+    if number.isdigit() and of not in points:
+        of = point
     if kind == "delta":
         return "angle", of
     if kind in ("x", "y") and of not in points and of.removesuffix("0") in points:
@@ -161,8 +166,8 @@ def of_friction(friction: JointFriction, lengths: Set[str]) -> list[Role]:
             return [*_named(coefficient, "coefficient"), *_named(wrap, "wrap")]
         case ThreadFriction(factor=factor, thread=thread):
             return [*_named(factor, "coefficient"), *_named(thread, "thread")]
-        case WheelFriction():
-            return []
+        case WheelFriction(factor=factor):
+            return _named(factor, "loss")
         case _:
             assert_never(friction)
 

@@ -18,10 +18,15 @@ HAIR = 1e-9
 """How far within a range is looked at, as a part of it."""
 
 
-def coefficient(expression: ast.Expr, of: str, scope: NameScope) -> Formula | None:
+LOSS = "loss"
+"""The part of the force that teeth or a belt lose: it is no coefficient of what slides."""
+
+
+def coefficient(expression: ast.Expr, of: str, scope: NameScope, part: str = "") -> Formula | None:
     """Return a coefficient of friction, by a name where it is a number; None after an error.
 
-    It is that of a point, or of all pins: then ``of`` is empty.
+    It is that of a point, or of all pins: then ``of`` is empty. One of another ``part`` is no
+    coefficient of what slides, and has a name of its own where the numbers are the same.
     """
     what = "a coefficient of friction"
     formula = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, what)
@@ -29,8 +34,8 @@ def coefficient(expression: ast.Expr, of: str, scope: NameScope) -> Formula | No
     if value is not None and value > 1:
         scope.report.add(sizes.coefficient_above_one(expression.span, what, value))
     found = checked(formula, expression.span, what, lambda v: v >= 0, scope)
-    of = "" if found in scope.shared else of
-    return found and scope.named("f", of, found, NUMBER, expression.span)
+    of = "" if found in scope.shared and not part else of
+    return found and scope.named("f", of, found, NUMBER, expression.span, part)
 
 
 def shared_coefficients(statements: Iterable[ast.Statement]) -> frozenset[Formula]:
@@ -65,9 +70,9 @@ def shared_sizes(statements: Iterable[ast.Statement]) -> frozenset[tuple[str, Fo
     parts: dict[tuple[str, Formula], set[str]] = {}
     for statement in statements:
         for what, of, size in _sizes(statement):
-            if isinstance(size, ast.Number) and size.unit in UNITS:
-                value = number(size.value * UNITS[size.unit].factor)
-                parts.setdefault((what, value), set()).add(of)
+            if isinstance(size, ast.Number) and size.unit in {"", *UNITS}:
+                factor = UNITS[size.unit].factor if size.unit else 1
+                parts.setdefault((what, number(size.value * factor)), set()).add(of)
     return frozenset(key for key, of in parts.items() if len(of) > 1)
 
 
@@ -82,6 +87,12 @@ def _sizes(statement: ast.Statement) -> Iterator[tuple[str, str, ast.Expr]]:
         case ast.Spring(rate=rate, first=first, second=second, free=free):
             yield "rate", first.text + second.text, rate
             yield "free", first.text + second.text, free
+        case (
+            ast.GearFriction(point=point, coefficient=loss)
+            | ast.BeltFriction(point=point, coefficient=loss)
+            | ast.RackFriction(point=point, coefficient=loss)
+        ):
+            yield LOSS, point.text, loss
 
 
 def positive_length(expression: ast.Expr, what: str, scope: NameScope) -> Formula | None:

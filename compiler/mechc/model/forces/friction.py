@@ -36,6 +36,7 @@ from ..parts.friction import (
 from ..statements import every, only
 from . import collars, pulleys
 from .coefficients import (
+    LOSS,
     checked,
     coefficient,
     positive_length,
@@ -256,7 +257,8 @@ def _transmission(
     scope: NameScope,
 ) -> Iterator[JointFriction]:
     """Return the friction of a pair by its first wheel, of a rack or screw by its slider."""
-    f = coefficient(statement.coefficient, statement.point.text, scope)
+    slides = isinstance(statement, ast.ScrewFriction | ast.CollarFriction)
+    f = coefficient(statement.coefficient, statement.point.text, scope, "" if slides else LOSS)
     point = statement.point
     if not scope.points.acting(point) or f is None:
         return

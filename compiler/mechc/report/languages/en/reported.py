@@ -105,6 +105,7 @@ LOCALE = Locale(
         "angle": "angle {point}",
         "radius": "radius of the wheel on {point}",
         "pitch": "pitch of the screw at {point}",
+        "loss": "part of the force that is lost",
         "coefficient": "coefficient of friction",
         "pin": "diameter of the pin",
         "pins": "diameter of the pins",
