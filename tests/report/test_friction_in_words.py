@@ -138,6 +138,19 @@ def test_it_is_said_what_the_force_of_teeth_is_and_whether_friction_changes_it()
     ]
 
 
+@pytest.mark.parametrize("language", ["en", "uk"])
+def test_a_ratio_without_a_name_is_on_no_page_by_its_name_in_code(language):
+    """The page had M_over_F_f, an English word among the letters."""
+    unnamed = LOADED_COUPLER.replace("find k = M/F", "find M/F")
+    found = compile_source(Source("coupler.mech", unnamed))
+    page = " ".join(render(found.derivation, found.mechanism, language=language).split())
+    assert "over" not in page
+    assert "(M/F)_f = " in page
+    assert "η_(M/F) = (M/F)/(M/F)_f" in page
+    written = mechc.loads(unnamed).emit("latex", language=language)
+    assert "over" not in written.partition(r"\begin{document}")[2]
+
+
 def test_letters_of_what_is_iterated_are_no_names_of_the_description():
     """A crank of radius r, or a point D, is on the same page."""
     for written, equation in (

@@ -55,6 +55,15 @@ class JointForceName(NamedTuple):
     is_direction: bool
 
 
+class MadeRatio(NamedTuple):
+    """A ratio asked for without a name: of what, with which friction, or its efficiency."""
+
+    above: str
+    below: str
+    ending: str
+    is_efficiency: bool
+
+
 @lru_cache(maxsize=4096)
 def split_name(name: str) -> ParsedName:
     """Split a name at underscores and at the digits that end its head.
@@ -107,6 +116,29 @@ def split_ratio(name: str) -> tuple[str, ...]:
     (('V_D', 'V_A'), ('alpha_1',))
     """
     return tuple(name.split("_over_"))
+
+
+def split_made_ratio(name: str) -> MadeRatio | None:
+    """Split the name of what a ratio without a name comes to; None for other names.
+
+    >>> split_made_ratio("M_over_F_f1")
+    MadeRatio(above='M', below='F', ending='f1', is_efficiency=False)
+    >>> split_made_ratio("eta_M_over_F").is_efficiency, split_made_ratio("k_f")
+    (True, None)
+    """
+    above, *others = split_ratio(name)
+    if len(others) != 1:
+        return None
+    below, _, last = others[0].rpartition("_")
+    ending = last if below and last in RATIO_ENDINGS else ""
+    is_efficiency = above.startswith("eta_")
+    return MadeRatio(
+        above.removeprefix("eta_"), below if ending else others[0], ending, is_efficiency
+    )
+
+
+RATIO_ENDINGS = frozenset({"f", "f1", "hold"})
+"""What stands behind the name of a ratio with friction."""
 
 
 def direction_of(name: str) -> str:

@@ -10,9 +10,11 @@ from types import MappingProxyType
 from ...formula.names import (
     GREEK,
     JointForceName,
+    MadeRatio,
     PointName,
     corner_of,
     split_force,
+    split_made_ratio,
     split_name,
     split_points,
     split_ratio,
@@ -224,7 +226,22 @@ def _by_rule(symbol: str, style: LatexNotation) -> str:
         return points(symbol.removeprefix("len_"))
     if symbol not in style.own and (corner := corner_of(symbol)):
         return rf"\angle {points(corner)}"
+    if symbol not in style.own and (ratio := split_made_ratio(symbol)):
+        return _of_ratio(ratio, style)
     return _whole(symbol, style)
+
+
+def _of_ratio(ratio: MadeRatio, style: LatexNotation) -> str:
+    r"""Return the name of a ratio that has none: of its loads, with the index of its friction.
+
+    >>> [name(f"{ratio}", notation("en")) for ratio in ("M_over_F_f1", "eta_M_over_F")]
+    ['(M/F)_{f_{1}}', '\\eta_{M/F}']
+    """
+    whole = f"{name(ratio.above, style)}/{name(ratio.below, style)}"
+    if ratio.is_efficiency:
+        return rf"\eta_{{{whole}}}"
+    index = f"k_{ratio.ending}" if ratio.ending else "k"
+    return f"({whole})" + _whole(index, style).removeprefix("k")
 
 
 def _whole(symbol: str, style: LatexNotation, *last: str) -> str:

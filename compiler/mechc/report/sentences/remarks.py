@@ -213,8 +213,8 @@ def result_symbol(name: str) -> Formula:
 
 
 def is_nameless(result: Analysis) -> bool:
-    """Return whether a result's name was made up (``V_D_over_V_A``)."""
-    return len(split_ratio(result.name)) > 1
+    """Return whether a ratio's name was made up (``V_D_over_V_A``); its efficiency has eta."""
+    return len(split_ratio(result.name)) > 1 and not isinstance(result.target, Efficiency)
 
 
 def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]:

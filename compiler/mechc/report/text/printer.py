@@ -18,7 +18,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from ...formula.layout import SIZES, TRIGONOMETRIC, decimal, letter_of
-from ...formula.names import GREEK, corner_of, split_name, words_in
+from ...formula.names import GREEK, MadeRatio, corner_of, split_made_ratio, split_name, words_in
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import FormulaRow, Surroundings, Typesetter
 from ...later import pattern
@@ -73,6 +73,8 @@ def print_name(name: str, signs: TextSigns) -> str:
     ['α₁', 'ω_O₁B', 'O₁B', '∠ABC']
     >>> [print_name(name, UNICODE) for name in ("y_Q_0", "V_W_0", "l_1_2", "d_max_2")]
     ['y_Q₀', 'V_W₀', 'l₁,₂', 'd_max₂']
+    >>> [print_name(name, UNICODE) for name in ("M_over_F", "V_D_over_F_f1", "eta_M_over_F")]
+    ['(M/F)', '(V_D/F)_f₁', 'η_(M/F)']
     """
     corner = "" if name in signs.own else corner_of(name)
     if not signs.fancy:
@@ -81,6 +83,8 @@ def print_name(name: str, signs: TextSigns) -> str:
         return f"∠{print_point(corner, signs)}"
     if name.startswith("len_"):
         return print_point(name.removeprefix("len_"), signs)
+    if name not in signs.own and (ratio := split_made_ratio(name)):
+        return _print_ratio(ratio, signs)
     head, primes, indices = split_name(_called(name, signs.texts))
     words = {**GREEK, **{w: signs.texts[w] for w in words_in(name) if w in signs.texts}}
     letter = words.get(head, head) + primes
@@ -89,6 +93,15 @@ def print_name(name: str, signs: TextSigns) -> str:
         _between(before, index) + (words.get(index) or print_point(index, signs))
         for before, index in pairwise(("", *indices))
     )
+
+
+def _print_ratio(ratio: MadeRatio, signs: TextSigns) -> str:
+    """Return the name of a ratio that has none: of its loads, with the index of its friction."""
+    whole = f"({print_name(ratio.above, signs)}/{print_name(ratio.below, signs)})"
+    if ratio.is_efficiency:
+        return f"{GREEK['eta']}_{whole}"
+    index = f"k_{ratio.ending}" if ratio.ending else "k"
+    return whole + print_name(index, signs).removeprefix("k")
 
 
 def _between(before: str, index: str) -> str:
