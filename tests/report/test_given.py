@@ -86,7 +86,7 @@ def test_a_force_in_a_rod_has_a_heading_of_its_own():
 
 def test_a_rod_has_two_pins_and_a_screw_has_one():
     given = loaded("screw_jack_with_collar").emit("latex").split(r"\section*{Velocities}")[0]
-    assert r"Rigid links: $OE$." in given
+    assert r"Rigid link: $OE$." in given
     assert "Links with two pins" not in given
     crank = loaded("crank_slider").emit("latex")
     assert r"Links with two pins: $OA$ and $AB$." in crank
@@ -95,7 +95,7 @@ def test_a_rod_has_two_pins_and_a_screw_has_one():
 def test_a_stroke_that_is_not_the_range_of_its_parameter_is_given():
     """Extrema are looked for along the stroke, which the table of ranges does not show."""
     page, found = loaded("hoeken").emit("latex", language="uk"), compiled("hoeken")
-    assert r"Ведуча координата — $\varphi$, від $100^\circ$ до $260^\circ$." in page
+    assert r"Узагальнена координата — $\varphi$, від $100^\circ$ до $260^\circ$." in page
     assert "The drive is φ, from 100° to 260°." in render(found.derivation, found.mechanism)
     assert "Ведуча координата" not in loaded("jansen_leg").emit("latex", language="uk")
 

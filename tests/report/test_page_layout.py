@@ -50,7 +50,11 @@ def test_what_directions_are_is_said_before_they_are_used():
 
 @pytest.mark.parametrize(
     ("language", "said"),
-    [("en", "driving coordinate"), ("uk", "ведуча координата"), ("ru", "ведущая координата")],
+    [
+        ("en", "driving coordinate"),
+        ("uk", "узагальнена координата"),
+        ("ru", "обобщённая координата"),
+    ],
 )
 def test_the_parameter_of_the_drive_is_called_so(language, said):
     text = loaded("crank_rocker").emit("latex", language=language)

@@ -24,6 +24,7 @@ from ..model.mechanism import (
     Offset,
     Parameter,
     Turn,
+    WheelPair,
 )
 from ..model.parts.friction import (
     CollarFriction,
@@ -69,12 +70,21 @@ def with_places(
     """
     literals = {literal.name for literal in mechanism.literals}
     made = literals | {name for turn in mechanism.geometry for name in _drawn_angle(turn)}
-    sizes = _sizes(mechanism.geometry)
+    sizes, pulleys = _sizes(mechanism.geometry), {*_pulleys(mechanism)}
     for parameter in parameters:
         name = parameter.name
         role, of = _place(name, mechanism.spans) if name in made else sizes.get(name, ("", ""))
+        role = "pulley" if role == "radius" and name in pulleys else role
         is_bare = role and not parameter.label and not parameter.about
         yield replace(parameter, label=words[role].format(point=of)) if is_bare else parameter
+
+
+def _pulleys(mechanism: Mechanism) -> Iterator[str]:
+    """Yield the names of the radii of the wheels on which a belt or chain runs."""
+    for pair in mechanism.each(WheelPair):
+        if pair.kind == "belt":
+            radii = (pair.first_radius, pair.second_radius)
+            yield from (radius.name for radius in radii if isinstance(radius, Symbol))
 
 
 def _sizes(geometry: Iterable[Geometry]) -> dict[str, Role]:

@@ -123,6 +123,7 @@ class Locale(NamedTuple):
     force_ratio: str
     load: str
     speed_ratio: str
+    transmission_ratio: str
     opposite_senses: str
     opposite_along_guides: str
     against: str

@@ -30,6 +30,7 @@ from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale
 from ..sentences.order import enumeration
+from ..sentences.speller import number_of
 from .friction import friction_sentences
 from .joints import joint_sentences
 from .notation import LatexNotation, name, points, translated
@@ -208,13 +209,16 @@ def _parts(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> Iterat
     for part in mechanism.subassemblies:
         there, here = (_listed(names, locale) for names in zip(*part.points, strict=True))
         symbol, title = math(name(part.prefix, style)), escape(part.name)
-        yield locale.joints["part"].format(part=symbol, name=title, there=there, here=here)
+        yield locale.joints["part"].format(
+            part=symbol, name=title, there=there, here=here, forms=number_of(part.points)
+        )
 
 
 def _pivots_and_sliders(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> list[str]:
     """Return a sentence on all pivots of a named point, and one on each slider and its guide."""
-    pivots = _listed((p.point for p in mechanism.each(Pivot) if split_points(p.point)), locale)
-    sentences = [locale.pivots.format(points=pivots)] if pivots else []
+    fixed = [p.point for p in mechanism.each(Pivot) if split_points(p.point)]
+    pivots = locale.pivots.format(points=_listed(fixed, locale), forms=number_of(fixed))
+    sentences = [pivots] if fixed else []
     for slider in mechanism.each(Slider):
         along = spoken(slider.along, locale, style)
         guided = locale.slider.format(point=math(points(slider.point)), direction=along)
@@ -227,7 +231,10 @@ def _links(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> list[s
     rods = [link for link in mechanism.rigid_links if _is_rod(link, mechanism)]
     bodies = [link for link in mechanism.rigid_links if link not in rods]
     return [
-        template.format(links=enumeration([_link(link, style) for link in links], locale))
+        template.format(
+            links=enumeration([_link(link, style) for link in links], locale),
+            forms=number_of(links),
+        )
         for template, links in ((locale.rods, rods), (locale.bodies, bodies))
         if links
     ]
@@ -303,10 +310,12 @@ def _symmetry(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> lis
     sentences = []
     if mechanism.mirror:
         across = spoken(mechanism.mirror.across, locale, style)
-        shared = _listed(mechanism.mirror.sharing, locale)
-        sentences.append(locale.mirror.format(direction=across, points=shared))
+        sharing = mechanism.mirror.sharing
+        shared, forms = _listed(sharing, locale), number_of(sharing)
+        sentences.append(locale.mirror.format(direction=across, points=shared, forms=forms))
     if mechanism.copies:
         count = math(latex(number(mechanism.copies.number), style))
-        shared = _listed(mechanism.copies.sharing, locale)
-        sentences.append(locale.copies.format(number=count, points=shared))
+        sharing = mechanism.copies.sharing
+        shared, forms = _listed(sharing, locale), number_of(sharing)
+        sentences.append(locale.copies.format(number=count, points=shared, forms=forms))
     return sentences

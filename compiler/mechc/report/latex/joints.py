@@ -21,6 +21,7 @@ from ...model.mechanism import (
     WheelPair,
 )
 from ..languages.locale import Locale
+from ..sentences.speller import number_of
 from .notation import LatexNotation, points
 from .quantity import length_of, math, spoken
 
@@ -33,7 +34,7 @@ def joint_sentences(mechanism: Mechanism, locale: Locale, style: LatexNotation) 
         yield say["slide"].format(body=math(points(slide.name)), direction=along)
     if mechanism.telescopes:
         named = ", ".join(math(points(t.name)) for t in mechanism.telescopes)
-        yield say["telescope"].format(links=named)
+        yield say["telescope"].format(links=named, forms=number_of(mechanism.telescopes))
     for link in mechanism.links:
         if link.arc:
             yield _arc(link, link.arc, locale, style)

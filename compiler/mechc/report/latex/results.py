@@ -308,6 +308,7 @@ def untried(verdict: Verdict, locale: Locale, style: LatexNotation) -> tuple[str
             poses=one.poses,
             reason=locale.checked[one.reason],
         )
+        + "."
         for one in verdict.remarks
     )
 

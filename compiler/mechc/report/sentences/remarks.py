@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, assert_never
 
 from ...formula.layout import is_angle
-from ...formula.names import split_ratio
+from ...formula.names import split_points, split_ratio
 from ...formula.tree import ONE, ZERO, Call, Formula, Symbol, is_call, product, quotient
 from ...formula.walk import symbols, walk
 from ...model.mechanism import (
@@ -28,7 +28,7 @@ from . import extents
 from .limits import limits
 from .locking import friction_remarks
 from .order import enumeration, joined
-from .speller import LoadWords, Speller, force_words, spelled
+from .speller import LoadWords, Speller, WordForms, force_words, spelled
 
 if TYPE_CHECKING:
     from ..steps import Paragraph
@@ -47,7 +47,9 @@ def said(paragraph: "Paragraph", locale: Locale, spell: Speller) -> str:
     }
     loads = {place: f.name for place, f in paragraph.formulas.items() if isinstance(f, Symbol)}
     each = {f"of_{place}": LoadWords([load], spell.couples) for place, load in loads.items()}
-    words = {"of_drive": LoadWords([*loads.values()], spell.couples), **each}
+    at = "".join(paragraph.names.get("point", ())[:1])
+    forms = WordForms(len(split_points(at)) > 1)
+    words = {"of_drive": LoadWords([*loads.values()], spell.couples), **each, "forms": forms}
     held = " " + locale.held.format(loads=names["held"]) if "held" in names else ""
     sentence = locale.sentences[paragraph.sentence]
     return sentence.format_map({**names, **formulas, **words, "held": held})
@@ -81,8 +83,9 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
             return locale.force_ratio
         case LoadForm(load):
             return locale.load.format(of_load=LoadWords([load], spell.couples))
-        case SpeedRatio():
-            return locale.speed_ratio
+        case SpeedRatio(above, below):
+            is_of_links = above.kind == below.kind == "link"
+            return locale.transmission_ratio if is_of_links else locale.speed_ratio
         case Reaction() | Normal() | Axial():
             return _capital(force_words(result.target, locale, spell))
         case WithFriction(LoadRatio() | LoadForm()):

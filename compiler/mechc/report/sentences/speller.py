@@ -69,6 +69,25 @@ class LoadWords:
         return forms.split("|")[self._form]
 
 
+class WordForms:
+    """Forms of words on one or several, on a point or a body, as templates ask for them.
+
+    >>> "{forms:link|links} AB".format(forms=WordForms(False))
+    'link AB'
+    """
+
+    def __init__(self, is_second: bool) -> None:
+        self._form = int(is_second)
+
+    def __format__(self, forms: str) -> str:
+        return forms.split("|")[self._form]
+
+
+def number_of(items: Sequence[object]) -> WordForms:
+    """Return the forms of words on one item, or on several."""
+    return WordForms(len(items) != 1)
+
+
 def angles_of(mechanism: Mechanism, results: Iterable[Result]) -> frozenset[str]:
     """Return the names that are angles: parameters, and what results rest on."""
     angles = set(mechanism.angles)

@@ -33,7 +33,7 @@ EQUILIBRIUM = {
     "pin along": "Forces on the pin {point} in the direction {direction}:",
     "pin across": "Forces on the pin {point} perpendicular to the rod {rod}:",
     "made up": "The force on {link} at {point} is the sum of those that act on it there:",
-    "made up by ground": "The force of the ground at {point} balances all that acts there:",
+    "made up by ground": "The reaction at {point} balances all that acts there:",
     "forces per load": "These forces, divided by {load}:",
     "solved together": "These equations together give",
 }

@@ -33,8 +33,8 @@ LOCALE = Locale(
     },
     slider="the point {point} moves along a guide with the direction {direction}",
     through=", through {point}",
-    rods="links with two pins: {links}",
-    bodies="rigid links: {links}",
+    rods="{forms:link|links} with two pins: {links}",
+    bodies="rigid {forms:link|links}: {links}",
     force="the force {load} acts at {point} in the direction {direction}",
     weight="the weight {load} acts at {point} in the direction {direction}",
     torque="the couple {load} acts on the link {link}, positive counter-clockwise",
@@ -42,10 +42,11 @@ LOCALE = Locale(
     "one half is described, both halves share {points}",
     copies="the mechanism has {number} identical branches that share {points}",
     joints={
-        "part": "{part} is the mechanism {name}; its points {there} are {here} here",
+        "part": "{part} is the mechanism {name}; its {forms:point|points} {there} {forms:is|are} "
+        "{here} here",
         "driven": "the drive is {parameter}, from {low} to {high}",
         "slide": "the body {body} only translates, in the direction {direction}",
-        "telescope": "telescopic links: {links}",
+        "telescope": "telescopic {forms:link|links}: {links}",
         "slot": "the pin {point} slides along the line {line} of {body}",
         "slot of two": "the pin {point} slides along {body}",
         "guided": "the link {guided} is fast in the block at {point} and turns with {body}",
@@ -82,11 +83,12 @@ LOCALE = Locale(
         "guide": "friction in the guide of {point}: coefficient {value}",
         "reduced guide": "friction in the guide of {point}: reduced coefficient {value}",
         "face": "friction where {point} slides on another body: coefficient {value}",
-        "gear": "friction of the gears that {point} is the first centre of: {value} of the force "
-        "passed on is lost",
-        "belt": "friction of the belt that {point} is the first centre of: {value} of the force "
-        "passed on is lost",
-        "rack": "friction of the rack at {point}: {value} of the force passed on is lost",
+        "gear": "friction of the gears that {point} is the first centre of: a fraction {value} of "
+        "the transmitted force is lost",
+        "belt": "friction of the belt that {point} is the first centre of: a fraction {value} of "
+        "the transmitted force is lost",
+        "rack": "friction of the rack at {point}: a fraction {value} of the transmitted force is "
+        "lost",
         "screw": "friction in the thread of the screw at {point}: coefficient {value}, mean "
         "diameter {diameter}",
         "collar": "friction at the collar of the screw at {point}: coefficient {value}, mean "
@@ -104,6 +106,7 @@ LOCALE = Locale(
         "guide": "coordinate of the guide of {point}",
         "angle": "angle {point}",
         "radius": "radius of the wheel on {point}",
+        "pulley": "radius of the pulley on {point}",
         "pitch": "pitch of the screw at {point}",
         "loss": "part of the force that is lost",
         "coefficient": "coefficient of friction",
@@ -229,7 +232,7 @@ LOCALE = Locale(
         "equal velocities.",
         "gear": "The gears on {all} roll on one another: their pitch circles have equal"
         " speeds at the pitch point.",
-        "belt": "The belt between {all} runs with both rims: their speeds are equal.",
+        "belt": "The belt does not slip on the pulleys {all}: the speeds of their rims are equal.",
         "on_arm": "Seen from the link {first}, which carries the centres {rest}, the rims of both "
         "wheels have equal speeds (Willis).",
         "rack": "The rack {rest} moves with the pitch circle of the gear on {first}.",
@@ -294,6 +297,7 @@ LOCALE = Locale(
     force_ratio="Force transmission coefficient",
     load="Load",
     speed_ratio="Velocity ratio",
+    transmission_ratio="Transmission ratio",
     opposite_senses="Angular velocities are positive counter-clockwise here: at the values given "
     "these two have opposite senses.",
     opposite_along_guides="Velocities are positive along their guides here, angular ones "
