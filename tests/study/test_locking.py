@@ -379,6 +379,16 @@ def test_check_states_what_is_locked_as_given(tmp_path, capsys):
     assert "Self-locking: F alone cannot move the mechanism at the values given." in out
 
 
+@pytest.mark.parametrize(("condition", "states"), [("", ["jammed"]), ("require 2*mu*h < b", [])])
+def test_nothing_jams_where_a_condition_of_use_fails(condition, states):
+    """A floor does not pull: what a guide would do there is not said of a cabinet that tips."""
+    text = (LIBRARY / "cabinet_on_casters.mech").read_text("utf-8")
+    found = results(text.replace("require 2*mu*h < b", condition))["P_f"].locking
+    assert found is not None
+    (along,) = (reach for reach in found.reaches if reach.parameter == "mu")
+    assert [part.state for part in along.of_interest] == states
+
+
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
 def test_the_report_states_the_condition(language, tmp_path, capsys):
     out = tmp_path / "m.tex"

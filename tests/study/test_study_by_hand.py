@@ -505,7 +505,7 @@ class ByHand(RatioAlong):
 
 
 IDEAL = SimpleNamespace(sign=1, is_iterated=False, is_slow=False, real=SimpleNamespace(where=()))
-SLIDING = SimpleNamespace(off_rest=lambda where, x: [])
+SLIDING = SimpleNamespace(off_rest=lambda where, x: [], trouble=lambda x: "")
 """A sweep on which every slip has a sense."""
 
 

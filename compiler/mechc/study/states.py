@@ -293,9 +293,9 @@ class AgainstFriction(RatioAlong):
     The drive drives either way, and there are no dead centres.
     """
 
-    def driven(self, _: float) -> bool:
-        """Return False: no load drives the motion."""
-        return False
+    def driven(self, x: float) -> bool | None:
+        """Return False, as no load drives the motion; None where there is no pose."""
+        return None if self.sweep.trouble(x) else False
 
     def _state(self, real: float, x: float, driven: bool) -> StateFound:
         """Return the state in a pose: friction takes power in every motion.
