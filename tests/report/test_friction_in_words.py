@@ -660,12 +660,12 @@ let F = 300 N
 @pytest.mark.parametrize(
     ("way", "balance"),
     [
-        (200, ["M_f = rho * abs(F)", "M_hold = -rho * abs(F)"]),
+        (200, ["M_f = rho*F", "M_hold = -rho*F"]),
         (
             120,
             [
-                "M_f + F * len_OA * sin(80 deg) = rho * abs(F)",
-                "M_hold + F * len_OA * sin(80 deg) = -rho * abs(F)",
+                "M_f + F * len_OA * sin(80 deg) = rho*F",
+                "M_hold + F * len_OA * sin(80 deg) = -rho*F",
             ],
         ),
     ],

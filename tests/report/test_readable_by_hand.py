@@ -1,5 +1,7 @@
 """Formulas as a person writes their angles: what an explanation may grow by."""
 
+import pytest
+
 from mechc.compilation import Compilation, compile_source
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, product
@@ -62,6 +64,39 @@ def test_bars_stand_only_where_the_sign_is_open():
         assert isinstance(found, Compilation)
         lines = render(found.derivation, found.mechanism).splitlines()
         assert size in map(str.strip, lines)
+
+
+@pytest.mark.parametrize(
+    ("size", "shown", "is_said"),
+    [
+        ("", "R_O = |F| / cos β", True),
+        ("let F = 2 kN", "R_O = F / cos β", False),
+        ("let F = -2 kN", "R_O = −F / cos β", False),
+    ],
+)
+def test_a_load_of_known_size_needs_neither_bars_nor_a_condition(size, shown, is_said) -> None:
+    source = f"""
+    mechanism crank
+    param beta = 15 deg in 5 deg .. 40 deg
+    pivot O
+    slider B along x
+    link OA
+    link AB
+    OA = 50 mm @ 60 deg
+    AB = 200 mm @ -beta
+    torque M on OA
+    force F at B along -x
+    friction slider B 0.1
+    {size}
+    find M
+    find R_O
+    """
+    found = compile_source(Source("crank.mech", source))
+    assert isinstance(found, Compilation)
+    lines = [line.strip() for line in render(found.derivation, found.mechanism).splitlines()]
+    assert shown in lines
+    assert ("F > 0" in " ".join(lines)) == is_said
+    assert any(text(one.formula) == "abs(F)/abs(cos(beta))" for one in found.results)
 
 
 def test_angles_of_loops_need_neither_bars_nor_conditions() -> None:

@@ -54,6 +54,19 @@ def stroke_box(mechanism: Mechanism) -> IntervalBox:
     return {**allowed_box(mechanism), **_stroke(mechanism)}
 
 
+def given_box(mechanism: Mechanism) -> IntervalBox:
+    """Return the box of all values within the ranges given, with those of loads of known size."""
+    box = dict(stroke_box(mechanism))
+    loads = {load.name: load.tie for load in mechanism.loads if load.tie}
+    names = {load.name for load in mechanism.loads}
+    given = {let.name: let.value for let in mechanism.lets if let.name in names}
+    for name, size in (*given.items(), *loads.items()):
+        interval = bounds(to_product(size), box)
+        if math.isfinite(sum(interval)):
+            box[name] = interval
+    return box
+
+
 ALIGNED = 1e-9
 """How far from 0° and 90° an angle of a triangle is at least: elsewhere its sides are in line."""
 

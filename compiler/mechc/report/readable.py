@@ -18,6 +18,7 @@ from ..formula.operations import count_operations
 from ..formula.rewriting import plus_first, rewritten, without_sign
 from ..formula.tree import (
     ONE,
+    ZERO,
     Call,
     Formula,
     Product,
@@ -32,7 +33,7 @@ from ..formula.walk import symbols, walk
 from ..formula.ways_round import Difference, ways_round, written_round
 from ..frozen import replace
 from ..kinematics.plan import Plan
-from ..model.boxes import size_box, stroke_box, with_angles
+from ..model.boxes import given_box, size_box, with_angles
 from ..model.mechanism import Mechanism, Require, WithFriction
 from ..model.result import Definition
 from ..model.values import completed
@@ -42,6 +43,9 @@ from ..power.numbers import default_values
 from ..study.analysis import Analysis, Vanishing
 from .definitions import plus_condition
 from .sentences.order import geometry_first
+
+_SIGN_OF = {">": 1, "<": -1}
+"""The sign of what is compared with zero, by the operators that ask for one."""
 
 
 def _without_bars(formula: Formula, ranges: Callable[[], IntervalBox]) -> Formula:
@@ -87,7 +91,7 @@ class ReadableFormulas:
         self,
         plan: Plan,
         turns: Set[str] = frozenset(),
-        box: Callable[[Mechanism], IntervalBox] = stroke_box,
+        box: Callable[[Mechanism], IntervalBox] = given_box,
     ) -> None:
         """Take the angles by which friction ``turns`` forces: they stand behind others.
 
@@ -100,6 +104,7 @@ class ReadableFormulas:
         self._values: LazyValues = cache(partial(default_values, plan))
         self._quarter = given_lines(pose)
         self._ranges = cache(lambda: with_angles(box(pose.mechanism), pose.definitions))
+        self._loads = {load.name for load in pose.mechanism.loads}
 
     def of(self, formula: Formula, longer: int = 0) -> Formula:
         """Return a formula with its sines of differences turned, its sums led by a plus.
@@ -148,7 +153,7 @@ class ReadableFormulas:
             n: differences_as_in(self.of(s), formula) for n, s in slopes.items()
         }
         where = tuple(d._replace(formula=self._defined(d)) for d in result.where)
-        holds = tuple(map(self._held, result.holds))
+        holds = tuple(h for h in map(self._held, result.holds) if not self._is_given(h))
         result = replace(result, where=where, holds=holds, derivatives=derivatives)
         return replace(result, formula=formula, zeros=zeros, poles=poles)
 
@@ -172,6 +177,13 @@ class ReadableFormulas:
     def _held(self, condition: Require) -> Require:
         """Return a condition as results are written; what has a minus is turned round."""
         return plus_condition(replace(condition, left=self.of(condition.left)))
+
+    def _is_given(self, condition: Require) -> bool:
+        """Return whether a condition is one of loads alone, and their sizes given meet it."""
+        names, right = symbols(condition.left), condition.right
+        if not names or not names <= self._loads or right != ZERO:
+            return False
+        return _SIGN_OF.get(condition.operator) == sign(to_product(condition.left), self._ranges())
 
     def _defined(self, definition: Definition) -> Formula:
         """Return a definition as results are written; one that loops give is so already."""
