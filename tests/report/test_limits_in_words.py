@@ -24,7 +24,11 @@ from mechc.source import Source
 
 def said(name: str, language: str = "en") -> list[str]:
     """Return the analyses of the results of a mechanism."""
-    found = good_mechanisms.compiled(name)
+    return stated(good_mechanisms.compiled(name), language)
+
+
+def stated(found: Compilation, language: str = "en") -> list[str]:
+    """Return the analyses of results."""
     results = found.reported.results
     spell = speller(results, found.mechanism, True, language)
     return [line for result in results for line in remarks(result, spell.locale, spell)]
@@ -68,7 +72,44 @@ def test_what_is_neither_zero_nor_infinite_is_stated_once():
     lines = said("toggle_clamp")
     assert sum("sampling finds none for 2° ≤ θ ≤ 40°" in line for line in lines) == 2
     assert not any("neither 0 nor infinite" in line for line in lines)
-    assert any("neither 0 nor infinite" in line for line in said("triad_closed"))
+    assert any("k is nowhere infinite;" in line for line in said("triad_closed"))
+
+
+TRAMMEL = """
+mechanism tram
+param phi = 30 deg
+slider A along x through O
+slider B along y through O
+pivot O at (0 mm, 0 mm)
+link ABM
+AB = 200 mm @ 180 deg - phi
+AM = 350 mm @ 180 deg - phi
+drive phi from 10 deg to 80 deg
+force P at A along -x
+force Q at B along -y
+find k = P/Q
+find V_M/V_A
+"""
+
+
+def test_what_is_zero_and_infinite_outside_a_range_is_not_said_to_be_neither_in_it():
+    page = " ".join(stated(Compilation(Source("tram.mech", TRAMMEL))))
+    assert page.count("outside the ranges given") == 2
+    assert "the rest at the values given, the least k is 0.17633" in page
+    assert "V_M/V_A is neither 0 nor infinite;" in page
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        ("en", "k is nowhere infinite;"),
+        ("uk", "k ніде не прямує до нескінченності;"),
+        ("ru", "k нигде не стремится к бесконечности;"),
+    ],
+)
+def test_where_it_is_stated_that_there_is_no_zero_it_is_said_of_poles_alone(language, words):
+    page = mechc.load("vice_grip").emit("latex", language=language)
+    assert words in page.replace("$", "")
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from ...study.analysis import Analysis, Extent, Extreme
 from ...units import behind, size_of
 from ..dimensions import names_in
 from ..languages.locale import Locale
-from .limits import states_both
+from .limits import states_none
 from .locking import rounded_value, span
 from .order import enumeration
 from .speller import Speller
@@ -27,11 +27,11 @@ An extremum lies anywhere where its values are alike but for rounding, of which 
 
 def extent_remarks(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield a sentence for each range or stroke of which there is something to say."""
-    is_stated = states_both(result)
+    open_ = [kind for kind in ("zeros", "poles") if not states_none(result, kind)]
     yield from _ends(result, symbol, locale, spell)
     for extent in (each for each in result.extents if not each.is_monotone):
         words = locale.extents
-        parts = [*_singular(extent, symbol, is_stated, locale, spell)]
+        parts = [*_singular(extent, symbol, open_, locale, spell)]
         parts += _extreme(extent, symbol, locale, spell)
         if parts:
             where = span(extent.range, extent, locale, spell)
@@ -70,11 +70,12 @@ def _at_ends(extent: Extent, locale: Locale, spell: Speller) -> Mapping[str, str
 
 
 def _singular(
-    extent: Extent, symbol: str, is_stated: bool, locale: Locale, spell: Speller
+    extent: Extent, symbol: str, open_: Sequence[str], locale: Locale, spell: Speller
 ) -> Iterator[str]:
-    """Yield where it is zero, where infinite, or that it is neither, unless that ``is_stated``."""
-    if extent.looked and not extent.zeros and not extent.poles and not is_stated:
-        yield locale.extents["neither"].format(result=symbol)
+    """Yield where it is zero, where infinite, or what it is not of that which is ``open_``."""
+    if extent.looked and open_ and not extent.zeros and not extent.poles:
+        kind = "neither" if len(open_) > 1 else f"no {open_[0]}"
+        yield locale.extents[kind].format(result=symbol)
     if extent.is_zero:
         yield locale.extents["0 all over"].format(result=symbol)
     elif extent.zero_intervals:

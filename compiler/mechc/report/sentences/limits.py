@@ -60,13 +60,20 @@ def passed_by(result: Analysis, kind: str) -> Extent | None:
     return free[0] if len(free) == len(looked) == 1 else None
 
 
-def states_both(result: Analysis) -> bool:
-    """Return whether :func:`limits` states that a range has no zero, and that it has no pole."""
-    return all(
-        (passed := passed_by(result, kind))
-        and any(_is_bare(_in_reach(limit, passed)) for limit in _stated(result, kind))
-        for kind in ("zeros", "poles")
-    )
+def states_none(result: Analysis, kind: str) -> bool:
+    """Return whether :func:`limits` states that a range has no zero, or no pole.
+
+    It does as well where it states of all of them that they are outside the ranges given.
+    """
+    passed = passed_by(result, kind)
+    if not passed:
+        return False
+    found: Sequence[Vanishing] = getattr(result, kind)
+    are_outside = bool(found) and all(limit.outside for limit in found)
+    stated = _stated(result, kind)
+    if are_outside and len(stated) == len(found):
+        return True
+    return any(_is_bare(_in_reach(limit, passed)) for limit in stated)
 
 
 def _stated(result: Analysis, kind: str) -> list[Vanishing]:

@@ -410,6 +410,8 @@ LOCALE = Locale(
         "ends alone": "{result} is {pairs}.",
         "pair": "{low} at {first} and {high} at {last}",
         "neither": "{result} is neither 0 nor infinite",
+        "no zeros": "{result} is nowhere 0",
+        "no poles": "{result} is nowhere infinite",
         "least": "the least {result} is {value}, at {place}",
         "greatest": "the greatest {result} is {value}, at {place}",
     },

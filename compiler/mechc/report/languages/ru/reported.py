@@ -425,6 +425,8 @@ LOCALE = Locale(
         "ends alone": "{result} равно {pairs}.",
         "pair": "{low} при {first} и {high} при {last}",
         "neither": "{result} не обращается в нуль и не стремится к бесконечности",
+        "no zeros": "{result} нигде не обращается в нуль",
+        "no poles": "{result} нигде не стремится к бесконечности",
         "least": "наименьшее значение {result} равно {value} при {place}",
         "greatest": "наибольшее значение {result} равно {value} при {place}",
     },

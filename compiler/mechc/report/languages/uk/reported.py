@@ -424,6 +424,8 @@ LOCALE = Locale(
         "ends alone": "{result} дорівнює {pairs}.",
         "pair": "{low} при {first} і {high} при {last}",
         "neither": "{result} не дорівнює нулю і не прямує до нескінченності",
+        "no zeros": "{result} ніде не дорівнює нулю",
+        "no poles": "{result} ніде не прямує до нескінченності",
         "least": "найменше значення {result} дорівнює {value} при {place}",
         "greatest": "найбільше значення {result} дорівнює {value} при {place}",
     },
