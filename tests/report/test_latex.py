@@ -24,6 +24,7 @@ from mechc.report.latex.display import vanishing
 from mechc.report.latex.letters import CYRILLIC, LATIN
 from mechc.report.latex.notation import notation
 from report_samples import packet_clamp, six_bar
+from small_mechanisms import vice
 from tex import compile_tex, needs_cyrillic
 
 NASTY = r"50% of A&B_{x} #1 \input{/etc/passwd} ~^$ Кран λ «ёлка» – naïve “q” 中 `a' --- <<"
@@ -248,6 +249,13 @@ def test_long_formulas_stay_on_the_page(tmp_path: Path) -> None:
     (emitted,) = TARGET.emit(six_bar(), Options("six_bar"))
     log = compile_tex("pdflatex", emitted.text, tmp_path)
     assert "Overfull" not in log
+
+
+def test_long_conditions_stay_within_the_margin(tmp_path: Path) -> None:
+    """Products in a line of mathematics have few places at which it may be broken."""
+    needs_cyrillic()
+    text = mechc.loads(vice("find F", "find n = F/P")).emit("latex", language="uk")
+    assert "Overfull" not in compile_tex("pdflatex", text, tmp_path)
 
 
 @pytest.mark.parametrize("name", ["lever_first_class", "wheelbarrow"])

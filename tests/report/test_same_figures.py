@@ -19,7 +19,7 @@ QUICK = (
 )
 DECIMAL = re.compile(r"\d+\.\d+")
 ON_PAGES_ALONE = re.compile(
-    r"[^\n]*\\cdot 10\^\{-\d+\}\$\)\.|\\setlength.*|\[\d.*?pt\]|\d\.\d+\\linewidth"
+    r"[^\n]*\\cdot 10\^\{-\d+\}\}?\$\)\.|\\setlength.*|\[\d.*?pt\]|\d\.\d+\\linewidth"
 )
 """How well the equilibrium agrees, and lengths on the page."""
 

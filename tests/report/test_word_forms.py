@@ -4,6 +4,7 @@ import pytest
 
 import mechc
 from good_mechanisms import loaded
+from small_mechanisms import vice
 
 DRUM = """
 mechanism drum
@@ -113,22 +114,10 @@ def test_a_body_that_translates_is_no_slider(language: str, of_body: str, of_poi
     assert of_body not in shown
 
 
-VICE = """
-mechanism vice
-pivot O
-slider A along x
-link OH
-OH = 150 mm @ 90 deg
-screw A pitch 5 mm on OH
-force P at H along 180 deg
-force F at A along -x
-friction screw A 0.12 thread 20 mm
-let P = 100 N
-find F
-find n = F/P
-"""
-
-
 def test_what_was_not_compared_everywhere_is_said_in_sentences() -> None:
-    lines = [line for line in page(VICE, "en").splitlines() if " poses: " in line]
+    lines = [
+        line
+        for line in page(vice("find F", "find n = F/P"), "en").splitlines()
+        if " poses: " in line
+    ]
     assert [line[-1] for line in lines] == [".", "."]

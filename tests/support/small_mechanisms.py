@@ -46,6 +46,23 @@ def follower(*lines: str) -> str:
     )
 
 
+def vice(*lines: str) -> str:
+    """Return a vice whose screw and collar lock it: the jaw F presses back, a force P turns it."""
+    return _text(
+        "pivot O",
+        "slider A along x",
+        "link OH",
+        "OH = 150 mm @ 90 deg",
+        "screw A pitch 5 mm on OH",
+        "force P at H along 180 deg",
+        "force F at A along -x",
+        "friction screw A 0.12 thread 20 mm",
+        "friction collar A 0.15 mean 26 mm",
+        "let P = 100 N",
+        *lines,
+    )
+
+
 def four_bar(
     *lines: str,
     a: str = "40 mm",

@@ -72,7 +72,7 @@ def _body(_known: Mapping[str, Any]) -> str:
     for line in (_known["pictures"].bodies + _known["pictures"].plans):
         _parts += [str(line), '\n']
     _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].results), '}\n']
-    for result in _known["results"]:
+    for loop, result in turns(_known["results"]):
         if result.heading:
             _parts += ['\n\\medskip\n\\noindent\\textbf{', str(result.heading), ':}\n']
         for paragraph in result.paragraphs:
@@ -81,8 +81,11 @@ def _body(_known: Mapping[str, Any]) -> str:
                 _parts += [str(paragraph.equations), '\n']
         if result.follows:
             _parts += ['\n\\noindent ', str(_known["locale"].hence), '\n']
-        for display in result.displays:
-            _parts += [str(display), '\n']
+        for loop, display in turns(result.displays):
+            if (loop.last and result.is_remarked):
+                _parts += ['{\\postdisplaypenalty=10000\n', str(display), '\n}\n']
+            else:
+                _parts += [str(display), '\n']
         for found in result.findings:
             if found.remarks:
                 _parts += ['\\begin{itemize}\\setlength{\\itemsep}{0pt}\\setlength{\\parskip}{0pt}\n']
@@ -300,7 +303,7 @@ def _report(_known: Mapping[str, Any]) -> str:
     _parts += ['\\usepackage[margin=22mm]{geometry}\n\\usepackage{amsmath}\n\\usepackage{array}\n\\usepackage{booktabs}\n\\usepackage{longtable}\n']
     for line in _known["pictures"]:
         _parts += [str(line), '\n']
-    _parts += ['\\allowdisplaybreaks\n% Skips shrink where but a few lines would be left for a last page. A page is not filled for its heading.\n\\AtBeginDocument{%\n  \\abovedisplayskip=10pt plus 2pt minus 6pt\\belowdisplayskip=\\abovedisplayskip\n  \\abovedisplayshortskip=6pt plus 2pt minus 3pt\\belowdisplayshortskip=6pt plus 3pt minus 3pt\n  \\LTpre=12pt plus 4pt minus 8pt\\LTpost=\\LTpre\\medskipamount=6pt plus 2pt minus 4pt\n  \\lineskiplimit=2pt\\lineskip=3pt\\relax}\n\\tolerance=2000\n\\relpenalty=10000\n\\makeatletter\n\\renewcommand\\section{\\@startsection{section}{1}{\\z@}{-3.5ex plus -1ex minus -1.8ex}%\n  {2.3ex plus .2ex minus 1.2ex}{\\normalfont\\Large\\bfseries}}\n\\newcommand\\lastsection{\\@secpenalty=-20 }\n\\@fptop=0pt\\makeatother\n\\setlength{\\emergencystretch}{3em}\n\\begin{document}\n', str(_known["body"]), '\\end{document}\n']
+    _parts += ['\\allowdisplaybreaks\n% Skips shrink where but a few lines would be left for a last page. A page is not filled for its heading.\n\\AtBeginDocument{%\n  \\abovedisplayskip=10pt plus 2pt minus 6pt\\belowdisplayskip=\\abovedisplayskip\n  \\abovedisplayshortskip=6pt plus 2pt minus 3pt\\belowdisplayshortskip=6pt plus 3pt minus 3pt\n  \\LTpre=12pt plus 4pt minus 8pt\\LTpost=\\LTpre\\medskipamount=6pt plus 2pt minus 4pt\n  \\lineskiplimit=2pt\\lineskip=3pt\\relax}\n\\tolerance=2000\n\\relpenalty=10000\n\\makeatletter\n\\renewcommand\\section{\\@startsection{section}{1}{\\z@}{-3.5ex plus -1ex minus -1.8ex}%\n  {2.3ex plus .2ex minus 1.2ex}{\\normalfont\\Large\\bfseries}}\n\\newcommand\\lastsection{\\@secpenalty=-20 }\n\\@fptop=0pt\\@beginparpenalty=10000 \\makeatother\n\\setlength{\\emergencystretch}{6em}\n\\begin{document}\n', str(_known["body"]), '\\end{document}\n']
     return "".join(_parts)
 
 

@@ -107,6 +107,15 @@ def decimal(value: Fraction | float, style: LatexNotation, figures: int = _DIGIT
     return scientific(f"{float(value):.{figures}g}", style)
 
 
+def in_a_line(shown: str) -> str:
+    r"""Return a number within a sentence, with its power of ten on the same line.
+
+    >>> in_a_line(r"2{,}5\cdot 10^{-16}"), in_a_line("2{,}5")
+    ('${2{,}5\\cdot 10^{-16}}$', '$2{,}5$')
+    """
+    return f"${{{shown}}}$" if r"\cdot" in shown else f"${shown}$"
+
+
 def _degrees(value: Fraction | float, style: LatexNotation, figures: int = _DIGITS) -> str:
     """Return a number of degrees; that of a small angle has no power of ten."""
     return scientific(small_angle(f"{float(value):.{figures}g}"), style)

@@ -23,7 +23,7 @@ from .notation import LatexNotation, name, points, relation_sign
 from .note import alone
 from .numbers import short_derivatives, slope
 from .printer import Box, box, latex, plain
-from .quantity import decimal
+from .quantity import decimal, in_a_line
 from .unit_symbols import unit_symbol
 
 _WIDE = 9.0
@@ -52,6 +52,11 @@ class SectionBlock(NamedTuple):
     paragraphs: tuple[ParagraphBlock, ...]
     displays: tuple[str, ...]
     findings: tuple[Findings, ...]
+
+    @property
+    def is_remarked(self) -> bool:
+        """Return whether remarks come right behind the last display, on the same page."""
+        return bool(self.findings and self.findings[0].remarks)
 
     @property
     def follows(self) -> bool:
@@ -272,8 +277,8 @@ class LatexSpeller(NamedTuple):
         return latex(self.style.made.sums.get(side, side), self.style, angle)
 
     def number(self, value: float) -> str:
-        """Return a number that was computed."""
-        return f"${decimal(value, self.style)}$"
+        """Return a number that was computed, its power on the same line."""
+        return in_a_line(decimal(value, self.style))
 
     def unit_behind(self, unit: str) -> str:
         """Return a unit behind its number; a reciprocal has an exponent."""
@@ -315,4 +320,4 @@ def untried(verdict: Verdict, locale: Locale, style: LatexNotation) -> tuple[str
 
 def _error(worst: float, style: LatexNotation) -> str:
     """Return a difference to two figures; of none at all what it is below."""
-    return f"${decimal(float(f'{worst:.1e}'), style)}$" if worst else "${<}10^{-16}$"
+    return in_a_line(decimal(float(f"{worst:.1e}"), style)) if worst else "${<}10^{-16}$"
