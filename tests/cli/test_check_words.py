@@ -53,6 +53,31 @@ def test_check_has_the_texts_of_quantities_as_they_are_translated(run: Run) -> N
             assert f"  p = delta*k*F  # {text}\n" in out
 
 
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "holds while cos(phi_Y + 10 deg) > 0"),
+        ("uk", "справедливо, доки cos(phi_Y + 10 град) > 0"),
+        ("ru", "справедливо, пока cos(phi_Y + 10 град) > 0"),
+    ],
+)
+def test_conditions_have_constant_angles_in_degrees(
+    language: str, said: str, run: Run, tmp_path: Path
+) -> None:
+    path = tmp_path / "wedge.mech"
+    lines = (
+        "slide WX along x",
+        "slide YZ along y",
+        "contact Y on WX normal 100 deg",
+        "force P at W along -x",
+        "force Q at Y along -y",
+        "friction contact Y 0.12",
+        "find k = P/Q",
+    )
+    path.write_text("\n".join(lines), encoding="utf-8")
+    assert said in run("check", "--lang", language, str(path))
+
+
 WITH_DECIMALS = """\
 mechanism decimals "Numbers of every kind"
 param a = 12.5 mm

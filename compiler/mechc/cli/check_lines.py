@@ -279,9 +279,11 @@ def _of_iterated(
 def _of_conditions(result: Analysis, before: Analysis | None, spell: TextSpeller) -> Iterator[str]:
     held = own_conditions(result)
     if held and not (before and reaction(before) and held == own_conditions(before)):
-        each = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in map(plus_condition, held))
-        holds = ", ".join(map(spell.as_described, each))
-        yield f"    {spell.locale.checked['holds'].format(conditions=holds)}"
+        each = [
+            f"{_described(h.left, spell)} {h.operator} {_described(h.right, spell)}"
+            for h in map(plus_condition, held)
+        ]
+        yield f"    {spell.locale.checked['holds'].format(conditions=', '.join(each))}"
 
 
 def _measured(value: float, unit: str, spell: TextSpeller) -> str:
