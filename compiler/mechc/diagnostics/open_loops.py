@@ -7,6 +7,7 @@ from ..named import NamedTuple
 from ..source import Span
 from ..units import ANGLE, Dimension
 from .diagnostic import Message, coded
+from .syntax import listed
 
 
 @coded("E312")
@@ -189,7 +190,12 @@ class AssemblyRange(NamedTuple):
 
 @coded("E309")
 def cannot_assemble(
-    at: Span, loop: str, drive: str, stretches: Iterable[AssemblyRange], is_searched: bool = False
+    at: Span,
+    loop: str,
+    drive: str,
+    stretches: Iterable[AssemblyRange],
+    lengths: Sequence[str] = (),
+    is_searched: bool = False,
 ) -> Message:
     """With the lengths given, a loop cannot be closed at the default pose.
 
@@ -202,14 +208,15 @@ def cannot_assemble(
 
     With a ``drive`` the message says over which part of its stroke the loop closes; where
     one side of a triangle turns with it, the ends are arc cosines of lengths, which the
-    hint gives. A loop that closes at one value alone has a condition too many. Groups of class III
-    and higher are closed by iteration from many starts: where it finds nothing there may still be
-    a closure.
+    hint gives, beside the lengths that may be wrong instead. A loop that closes at one value alone
+    has a condition too many. Groups of class III and higher are closed by iteration from many
+    starts: where it finds nothing there may still be a closure.
     """
     known = list(stretches)
     where = f"; it closes for {drive} {' and '.join(map(_stretch, known))}"
     never = f", nor anywhere along {drive}" if drive else ""
-    move = f"move the default of {drive} there{_limits(drive, known)}"
+    change = f", or change {listed(lengths)}" if lengths else ""
+    move = f"move the default of {drive} there{change}{_limits(drive, known)}"
     if known and not any(map(_is_long, known)):
         move = f"{drive} cannot move the loop: leave a length or an angle of it open"
     what = "is not closed by iteration" if is_searched else "cannot be assembled"
@@ -266,7 +273,35 @@ def _stretch(stretch: AssemblyRange) -> str:
     unit, size = ("deg", math.pi / 180) if stretch.dimension == ANGLE else ("mm", 1e-3)
     if not _is_long(stretch):
         return f"at {stretch.low / size:.6g} {unit} alone"
-    return f"from {stretch.low / size:.10g} to {stretch.high / size:.10g} {unit}"
+    low, high = _inside(stretch.low / size, stretch.high / size)
+    return f"from {low} to {high} {unit}"
+
+
+MOST_CUT_OFF = 0.005
+"""The part of a stretch that rounding may leave out at an end."""
+
+MOST_PLACES = 10
+"""So many decimals an end of a stretch has at most."""
+
+
+NOISE = 1e-10
+"""The part of a stretch by which rounding may put its end off a round number."""
+
+
+def _inside(low: float, high: float) -> tuple[str, str]:
+    """Return both ends of a stretch with few decimals, rounded so that they lie in it.
+
+    >>> _inside(180.6976931, 224.7463187), _inside(100.00000000000001, 280.0)
+    (('180.7', '224.7'), ('100', '280'))
+    """
+    cut_off, rounding = MOST_CUT_OFF * (high - low), NOISE * (high - low)
+    for places in range(MOST_PLACES):
+        step = 10.0**-places
+        first = math.ceil((low - rounding) / step) * step
+        final = math.floor((high + rounding) / step) * step
+        if max(first - low, high - final) <= cut_off:
+            return f"{round(first, places):.10g}", f"{round(final, places):.10g}"
+    return f"{low:.10g}", f"{high:.10g}"
 
 
 def _limits(drive: str, stretches: Iterable[AssemblyRange]) -> str:

@@ -25,7 +25,7 @@ from ..pose import OF_A_TRIANGLE, Closed, ClosedLoop, Limit, LoopKind, PoseDefin
 from ..vector_graph import Cycle, NameSet, loop_name, mentioned, points_around
 from ..vectors import Vectors
 from . import branches
-from .choosing import AssemblyChoice
+from .choosing import AssemblyChoice, lengths_around
 from .drawn import start
 from .dyad_closures import dyad
 from .dyad_sides import DyadSides
@@ -122,7 +122,9 @@ class _GroupClosing:
             loop, drive = loop_name(block.cycle), self._state.mechanism.drive
             reach = branches.branches(block, self._state)
             name = drive.parameter if drive else ""
-            raise self._report.fail(messages.cannot_assemble(span, loop, name, reach, True))
+            lengths = lengths_around(block.cycle, self._state.mechanism)
+            message = messages.cannot_assemble(span, loop, name, reach, lengths, True)
+            raise self._report.fail(message)
         chosen = self._choice.choose(found, block)
         loop = loop_name(block.cycle)
         self._state.limits.append(Limit(loop, "system", (), ()))

@@ -7,11 +7,11 @@ from ...diagnostics import MechcError, Report
 from ...diagnostics import closures as closure_messages
 from ...diagnostics import open_loops as messages
 from ...formula.walk import symbols
-from ...model.mechanism import Assembly
+from ...model.mechanism import Arrow, Assembly, Mechanism
 from ...named import NamedTuple
 from ..samples import Values
 from ..tolerances import FLAT_TRIANGLE
-from ..vector_graph import loop_name
+from ..vector_graph import Cycle, loop_name, points_around
 from .assembly_hints import AssemblyHints, Loops, group_span, is_ahead
 from .drawn import nearest
 from .dyads import Closure
@@ -20,6 +20,18 @@ from .reach import reach_of
 from .state import LoopState, PointSide
 
 Corner = tuple[float, float]
+
+
+def lengths_around(cycle: Cycle, mechanism: Mechanism) -> list[str]:
+    """Return the vectors of a loop whose lengths are given, and are not the drive's.
+
+    Those of a drawing follow from coordinates.
+    """
+    points, drive = {*points_around(cycle)}, {mechanism.drive_name}
+    arrows = [entry for entry in mechanism.geometry if isinstance(entry, Arrow)]
+    given = (a for a in arrows if a.length and not drive & symbols(a.length))
+    names = [a.tail + a.head for a in given if {a.tail, a.head} <= points]
+    return [] if mechanism.drawn else names
 
 
 class AssemblyChoice:
@@ -109,9 +121,9 @@ class AssemblyChoice:
         stretches = reach_of(self._state, closures[0], group.limit)
         drive = self._state.mechanism.drive
         name = drive.parameter if drive else ""
-        return self._report.fail(
-            messages.cannot_assemble(group_span(group), loop_name(group.cycle), name, stretches)
-        )
+        at, loop = group_span(group), loop_name(group.cycle)
+        lengths = lengths_around(group.cycle, self._state.mechanism)
+        return self._report.fail(messages.cannot_assemble(at, loop, name, stretches, lengths))
 
     def _report_open(
         self,
