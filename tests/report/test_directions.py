@@ -5,7 +5,7 @@ import pytest
 from mechc.compilation import Compilation, compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
-from mechc.formula.tree import ZERO, Call, Symbol, degrees, negative, total
+from mechc.formula.tree import ZERO, Call, Symbol, degrees, negative, number, product, total
 from mechc.model.mechanism import Require
 from mechc.model.values import completed, defaults
 from mechc.report.definitions import plus_condition
@@ -15,6 +15,7 @@ from mechc.source import Source, Span
 from small_mechanisms import drawn_six_bar
 
 A, B, C = map(Symbol, "abc")
+TWICE_A, TWICE_B = (product([(number(2), 1), (each, 1)]) for each in (A, B))
 
 
 def watt() -> Compilation:
@@ -61,6 +62,12 @@ def test_results_keep_their_values() -> None:
         (0, total([A, negative(B)]), "sin(a - b)"),
         (0, total([negative(A), negative(B)]), "-sin(d)"),
         (180, total([negative(A), negative(B)]), "sin(d)"),
+        (0, total([TWICE_A, TWICE_B]), "sin(2*d)"),
+        (180, total([TWICE_A, TWICE_B]), "sin(2*d)"),
+        (180, total([TWICE_A, TWICE_B, negative(C)]), "sin(2*d - c)"),
+        (0, total([TWICE_A, B]), "sin(a + d)"),
+        (180, total([negative(TWICE_A), negative(B)]), "sin(a + d)"),
+        (0, total([TWICE_A, negative(B)]), "sin(2*a - b)"),
     ],
 )
 def test_the_sum_stands_by_its_name(turn: int, angle: Symbol, shown: str) -> None:
@@ -71,6 +78,11 @@ def test_the_sum_stands_by_its_name(turn: int, angle: Symbol, shown: str) -> Non
     values = {"a": 0.3, "b": 0.5, "c": 1.1}
     values["d"] = evaluate(direction.formula, values)
     assert evaluate(turned, values) == pytest.approx(evaluate(formula, values))
+
+
+def test_a_cotangent_of_the_opposite_has_its_minus_before_it() -> None:
+    formula = Call("cot", (total([negative(A), negative(B)]),))
+    assert text(named(formula, [NamedDirection("d", (A, B))])) == "-cot(d)"
 
 
 def test_a_constant_keeps_its_place() -> None:

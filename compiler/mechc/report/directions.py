@@ -14,7 +14,19 @@ from ..formula.layout import has_minus, in_degrees
 from ..formula.names import VECTOR_POINTS, direction_of
 from ..formula.operations import count_operations
 from ..formula.rewriting import plus_first, rewritten
-from ..formula.tree import Call, Formula, Sum, Symbol, degrees, negative, total
+from ..formula.tree import (
+    Call,
+    Formula,
+    Number,
+    Product,
+    Sum,
+    Symbol,
+    degrees,
+    negative,
+    number,
+    product,
+    total,
+)
 from ..formula.walk import reached, symbols, walk
 from ..frozen import fields, replace
 from ..model.result import Definition
@@ -115,12 +127,38 @@ def _is_given(name: str) -> bool:
 
 
 def _without(node: Formula, direction: NamedDirection) -> tuple[list[Formula], int] | None:
-    """Return a sum without the angles of a direction, and the sign that they have there."""
-    if isinstance(node, Sum):
-        for sign, wanted in ((1, direction.angles), (-1, tuple(map(negative, direction.angles)))):
-            if set(wanted) <= set(node.terms):
-                return [term for term in node.terms if term not in wanted], sign
-    return None
+    """Return a sum without the angles of a direction, and how often it stands in their place.
+
+    That is so often that least is left: of μ − 2φ_DB with φ_OB = φ_DB − μ it is -1, and -φ_DB
+    is left. Each angle of the direction is in the sum, with the same sign.
+    """
+    if not isinstance(node, Sum):
+        return None
+    met = {}
+    for angle in direction.angles:
+        size = _size(angle)
+        found = [n for term in node.terms if (n := _times(term, size))]
+        if len(found) != 1:
+            return None
+        met[size] = found[0] * (1 if size == angle else -1)
+    if len({count > 0 for count in met.values()}) > 1:
+        return None
+    often = min(met.values(), key=lambda n: sum(abs(count - n) for count in met.values()) + abs(n))
+    others = [term for term in node.terms if not any(_times(term, size) for size in met)]
+    for angle in direction.angles:
+        left = met[_size(angle)] - often
+        others += [product([(number(left), 1), (angle, 1)])] if left else []
+    return others, often
+
+
+def _times(term: Formula, angle: Formula) -> int:
+    """Return how often an angle is in a term that is a multiple of it, 0 in another one."""
+    match term:
+        case Symbol():
+            return int(term == angle)
+        case Product((Number(value), each)) if each == angle and value.denominator == 1:
+            return int(value)
+    return 0
 
 
 # ---------------------------------------------------------------------------------- in formulas
@@ -155,25 +193,33 @@ def _by_name(formula: Formula, direction: NamedDirection) -> Formula | None:
     """
     match formula:
         case Sum() if found := _without(formula, direction):
-            others, sign = found
-            name = Symbol(direction.name) if sign > 0 else negative(Symbol(direction.name))
-            return _turned([*others, name], -sign * direction.degrees)
+            others, often = found
+            name = product([(number(often), 1), (Symbol(direction.name), 1)])
+            return _turned([*others, name], -often * direction.degrees)
         case Call("sin" | "cos" as function, (Sum(terms),)) if direction.degrees:
-            turns = [term for term in terms if in_degrees(term) in (HALF_TURN, -HALF_TURN)]
-            if turns and Symbol(direction.name) in map(_size, terms):
-                rest = total(term for term in terms if term not in turns)
-                return negative(_function_of(function, rest))
-        case Call("sin" | "cos" as function, (angle,)) if _size(angle) == Symbol(direction.name):
-            return _function_of(function, angle)
+            turns = [term for term in terms if (in_degrees(term) or 1) % HALF_TURN == 0]
+            if turns and direction.name in symbols(*terms):
+                rest = _function_of(function, total(term for term in terms if term not in turns))
+                halves = sum((in_degrees(term) or 0) // HALF_TURN for term in turns)
+                return negative(rest) if halves % 2 else rest
+        case Call("sin" | "cos" | "tan" | "cot" as function, (angle,)):
+            if _is_turned(angle) and direction.name in symbols(angle):
+                return _function_of(function, angle)
     return None
+
+
+def _is_turned(angle: Formula) -> bool:
+    """Return whether an angle is the opposite of one without a minus."""
+    return all(map(has_minus, angle.terms)) if isinstance(angle, Sum) else has_minus(angle)
 
 
 def _function_of(function: str, angle: Formula) -> Formula:
     """Return a sine or cosine of an angle, or of what it is the opposite of, as ``−sin φ``."""
-    if isinstance(angle, Sum) or not has_minus(angle):
+    if not _is_turned(angle):
         return Call(function, (angle,))
-    size = Call(function, (negative(angle),))
-    return negative(size) if function == "sin" else size
+    terms = angle.terms if isinstance(angle, Sum) else (angle,)
+    size = Call(function, (total(map(negative, terms)),))
+    return size if function == "cos" else negative(size)
 
 
 def _size(term: Formula) -> Formula:
