@@ -120,7 +120,9 @@ def efficiency_near_dead_centre(span: Span, name: str, where: Sequence[str]) -> 
 
 
 @coded("W513")
-def drive_jams(span: Span, name: str, drive: str, grips: bool, idle: str = "") -> Message:
+def drive_jams(
+    span: Span, name: str, drive: str, grips: bool, is_driven: bool = False, idle: str = ""
+) -> Message:
     """Friction is so large at the default pose that no force of the drive moves anything.
 
     The drive's line of force passes the friction circle of a pivot, or stands within the
@@ -128,7 +130,10 @@ def drive_jams(span: Span, name: str, drive: str, grips: bool, idle: str = "") -
     result has no value there, and the code gives NaN.
 
     Of a ratio P/F the drive is P. A screw that does not yield to its load jams where F/P is
-    asked for, for then the load drives.
+    asked for, for then the load drives. Where it is the other load that moves the mechanism, the
+    motion is against the arrow of the drive::
+
+        motion releasing
 
     A band brake with both ends of its band on the lever grips by itself where the end that is
     tightened by friction opens the brake less than the other end closes it, times e^(μθ).
@@ -138,6 +143,8 @@ def drive_jams(span: Span, name: str, drive: str, grips: bool, idle: str = "") -
     """
     message = f"{name} has no value at the default pose: no force {drive} overcomes the friction"
     hint = "look at the friction, move the values from a dead centre, or let the other load drive"
+    if is_driven:
+        hint += ": add `motion releasing`"
     if idle:
         hint = f"{idle} does no work, and acts through friction alone: check its direction"
     if grips:

@@ -21,7 +21,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.parts.friction import RopeFriction
-from ..model.parts.targets import SIGNS
+from ..model.parts.targets import SIGNS, ResultTarget
 from ..model.result import Result
 from ..model.results.conditions_of_use import refuse_failing
 from ..power.balance import AlgebraicResult, Balance
@@ -82,13 +82,24 @@ def _with_friction(
     ideal = {r.target: r for r in balance.results}
     joints = problem.mechanism.friction.joints
     grips = bool(joints) and all(isinstance(joint, RopeFriction) for joint in joints)
+    answered: list[tuple[Find, SolvedWithFriction, Result]] = []
     for find in asked:
         assert isinstance(find.target, WithFriction | Efficiency)
         without = ideal[find.target.of]
         if (found := _answer(problem, find, find.target, without)) is not None:
             _check_lengths(find, found.result, balance, report)
-            result = _with_default(find, found.result, without, numbers, grips, report)
-            yield replace(found, result=result)
+            answered.append((find, found, without))
+    by_target: dict[ResultTarget | None, Result] = {f.target: s.result for f, s, _ in answered}
+    for find, found, without in answered:
+        back = by_target.get(_driven_back(find.target))
+        result = _with_default(find, found.result, back, without, numbers, grips, report)
+        yield replace(found, result=result)
+
+
+def _driven_back(target: ResultTarget) -> ResultTarget | None:
+    """Return the result of the motion against the arrow, for that of one along it; else None."""
+    is_along = isinstance(target, WithFriction) and target.sense == "tightening"
+    return replace(target, sense="releasing") if is_along else None
 
 
 def _answer(
@@ -113,13 +124,20 @@ def _check_lengths(find: Find, result: Result, balance: Balance, report: Report)
 
 
 def _with_default(
-    find: Find, result: Result, ideal: Result, numbers: DefaultNumbers, grips: bool, report: Report
+    find: Find,
+    result: Result,
+    back: Result | None,
+    ideal: Result,
+    numbers: DefaultNumbers,
+    grips: bool,
+    report: Report,
 ) -> Result:
     """Return a result with its value at the default pose; warn where the drive jams there.
 
-    It ``grips`` where nothing but ropes has friction. Where a coefficient has no value nothing is
-    said of that. Where the result without friction is 0/0 no slip has a direction, and this one
-    has no value either. Where a slip is 0 for once it has the limit of both sides, or jumps.
+    It may be driven ``back`` by the other load all the same. It ``grips`` where nothing but ropes
+    has friction. Where a coefficient has no value nothing is said of that. Where the result
+    without friction is 0/0 no slip has a direction, and this one has no value either. Where a slip
+    is 0 for once it has the limit of both sides, or jumps.
     """
     if ideal.undetermined:
         return with_default(result, PrintedNumber(None, undetermined=True))
@@ -133,7 +151,10 @@ def _with_default(
         size = PrintedNumber(0.0)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
         idle = _below(find) if ideal.formula == ZERO else ""
-        report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips, idle))
+        is_driven = back is not None and _moves(back, ideal, numbers)
+        drive = _drive(find)
+        message = messages.drive_jams(find.span, find.name, drive, grips, is_driven, idle)
+        report.add_first(message)
         size = PrintedNumber(None)
     return with_default(result, size)
 
@@ -179,6 +200,14 @@ def _jams(find: Find, number: float | None, ideal: float | None) -> bool:
             return not follows and not (math.isfinite(number) and number * driven >= 0)
         case _:
             return False
+
+
+def _moves(result: Result, ideal: Result, numbers: DefaultNumbers) -> bool:
+    """Return whether a load with friction acts as it does without, at the default pose."""
+    number, without = numbers.of(result).number, ideal.default
+    if number is None or without is None:
+        return False
+    return math.isfinite(number) and number * without > 0
 
 
 def _below(find: Find) -> str:
