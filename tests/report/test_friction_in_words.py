@@ -130,7 +130,7 @@ def test_it_is_said_what_the_force_of_teeth_is_and_whether_friction_changes_it()
         " ".join(render(found.derivation, found.mechanism).split())
         for found in (begun("plate_clutch"), compile_source(Source("train.mech", TRAIN)))
     ]
-    known, on_others = "which friction does not change", "which itself depends on the friction"
+    known, on_others = "which friction does not change", "under the loads and the friction forces"
     teeth = "In gears, belts and racks n is the force that is passed on, and v is the velocity"
     assert [[words in page for words in (known, on_others, teeth)] for page in pages] == [
         [True, False, False],

@@ -136,8 +136,8 @@ WORDS = {
     "ropes": "The power of friction is the difference of the tensions times the sliding velocity "
     "{speed}, per unit of the drive’s velocity:",
     "straight": "Each friction force is its coefficient times the normal force {force}, which "
-    "itself depends on the friction forces. Its power is this times the sliding velocity {speed}, "
-    "per unit of the drive’s velocity:",
+    "equilibrium gives under the loads and the friction forces. Its power is this times the "
+    "sliding velocity {speed}, per unit of the drive’s velocity:",
     "straight, known": "Each friction force is its coefficient times the normal force {force}, "
     "which friction does not change. Its power is this times the sliding velocity {speed}, per "
     "unit of the drive’s velocity:",
@@ -145,7 +145,7 @@ WORDS = {
     "powers of friction": "Each joint with friction adds its coefficient times the force {force} "
     "times the sliding velocity, per unit of the drive’s velocity.",
     "pressing": "Each friction force is its coefficient times the normal force {force}, which "
-    "itself depends on the friction forces:",
+    "equilibrium gives under the loads and the friction forces:",
     "added by friction": "The force without friction, and what each friction force adds to it:",
     "part along the rod": "{force} is the component along the rod of {whole}, the whole force that "
     "it passes on, and is positive in tension:",
