@@ -94,7 +94,7 @@ def test_eastern_books_write_tg_and_a_decimal_comma() -> None:
 def test_constants_are_in_degrees_where_the_sum_is_an_angle() -> None:
     assert latex(formula("deg(180) - beta"), ANGLES) == r"180^\circ-\beta"
     assert latex(formula("pi - b"), ANGLES) == r"\pi-b"
-    assert latex(formula("r*pi/2"), ANGLES) == r"\frac{r\pi}{2}"
+    assert latex(formula("r*pi/2"), ANGLES) == r"\frac{\pi r}{2}"
 
 
 @pytest.mark.parametrize(

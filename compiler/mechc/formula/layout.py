@@ -61,8 +61,9 @@ def fractions(formula: Product) -> Fractions:
     """Return a product as the fractions to be set.
 
     The two are kept apart where each looks like a fraction of its own: ``b/a · cot α``
-    but ``a cos α / 2``, ``V_A sin θ / cos(α + θ)`` as a speed times a fraction. Letters
-    lead each row, velocities behind lengths, sums of lengths follow, then functions:
+    but ``a cos α / 2``, ``V_A sin θ / cos(α + θ)`` as a speed times a fraction. A
+    coefficient of friction μ leads each row, letters follow, velocities behind lengths, then sums
+    of lengths, then functions:
     ``a V_B sin α``, not ``sin α V_B a``.
 
     >>> from .tree import product
@@ -70,6 +71,9 @@ def fractions(formula: Product) -> Fractions:
     >>> fractions(product([(b, 1), (a, -1), (t, 1)])).second == ((t,), ())
     True
     >>> fractions(product([(t, 1), (a, 1)])).first == ((a, t), ())
+    True
+    >>> load, mu = Symbol("W"), Symbol("mu")
+    >>> fractions(product([(load, 1), (mu, 1)])).first == ((mu, load), ())
     True
     """
     coefficient, above, below = _flat(formula)
@@ -170,15 +174,19 @@ def _is_plain(factor: Formula) -> bool:
     return _place(factor) < _FUNCTIONS
 
 
-_LETTERS, _SPEEDS, _LENGTHS, _FUNCTIONS = range(4)
+_NUMBERS, _COEFFICIENT, _LETTERS, _SPEEDS, _LENGTHS, _FUNCTIONS = range(6)
 
 
 def _place(factor: Formula) -> int:
-    """Return where a factor stands: ``2``, ``a``, ``V_A``, ``(a + b)``, ``sin(alpha)``."""
+    """Return where a factor stands: ``mu``, ``a``, ``V_A``, ``(a + b)``, ``sin(alpha)``."""
     base = factor.base if isinstance(factor, Power) else factor
+    if letter_of(base) == "mu":
+        return _COEFFICIENT
     if letter_of(base) in _VELOCITIES:
         return _SPEEDS
-    if isinstance(base, Number | Pi | Symbol):
+    if isinstance(base, Number | Pi):
+        return _NUMBERS
+    if isinstance(base, Symbol):
         return _LETTERS
     return _FUNCTIONS if _has_function(base) else _LENGTHS
 
