@@ -87,6 +87,39 @@ def test_between_places_where_nothing_moves_something_may():
     assert [s.state for s in held.stretches] == ["locked", "locked"]
 
 
+FLAT_TRIANGLE = """
+pivot O at (0 m, 0 m)
+pivot P5 at (-0.05057409178558583 m, 0.012031212600128606 m)
+param s = 0.06809140590232102 m
+param r = 0.09852701819996858 m
+telescope P5A4
+P5A4 = s
+link OA4
+OA4 = r
+slot T7 in OA4
+pivot G8 at (0.03869348847101853 m, 0.08116002377487655 m)
+slider T7 along 2.8634872702108636 rad through G8
+assembly OP5A4 cw
+actuator M between P5 and A4
+force F at T7 along 2.2406593176157106 rad
+find k = M / F
+drive s from 0.028091405902321016 m to 0.10809140590232102 m
+friction pins 0.031 diameter 6 mm journal
+friction contact T7 0.031
+"""
+
+
+def test_between_two_jams_next_to_a_flat_triangle_the_drive_moves_it():
+    """For 1e-5 m it moves, 7e-7 m from where loops end: one jam was stated up to that end."""
+    compilation = Compilation(Source("flat.mech", FLAT_TRIANGLE))
+    (k_f,) = (r for r in compilation.results if r.name == "k_f")
+    (reach,) = k_f.locking.reaches
+    first, second = reach.stretches
+    assert [s.state for s in reach.stretches] == ["jammed", "jammed"]
+    assert (first.high.x, second.low.x) == pytest.approx((0.0465422551, 0.0465516727), abs=1e-9)
+    assert list(refuted(compilation)) == []
+
+
 TRAMMEL = """
 param a = 60 mm
 param phi = 90 deg

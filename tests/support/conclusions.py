@@ -111,7 +111,8 @@ def is_rough(found: list[float]) -> bool:
 def centres(tree: ast.File, mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str]:
     """Yield the dead centres at which what is said to stand still moves, and the other way.
 
-    Where a zero of k meets a pole, k is 0/0, and the other values decide what stands still.
+    Where a zero of k meets a pole, k is 0/0, and the other values decide what stands still. Where
+    two of a kind meet, the one at which a point stands still says nothing of the other's load.
     """
     assert isinstance(result.target, LoadRatio)
     below, above = result.target.below, result.target.above
@@ -119,7 +120,8 @@ def centres(tree: ast.File, mechanism: Mechanism, result: Analysis, pose: Values
     for limits, others, names in ((zeros, poles, (below, above)), (poles, zeros, (above, below))):
         for limit in limits:
             if limit.at is not None and limit.cause != "other":
-                against = limit.except_where + tuple(other.factor for other in others)
+                alike = (other for other in limits if other.cause != limit.cause)
+                against = limit.except_where + tuple(o.factor for o in (*others, *alike))
                 yield from _centre(
                     tree, mechanism, limit._replace(except_where=against), names, pose
                 )

@@ -306,19 +306,23 @@ def _where_nothing_moves(moving: RatioAlong, grid: Sequence[float], step: float)
 
 
 def _next_to_ends(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
-    """Yield ever nearer values where nothing moves up to a dead centre, or to the end of a loop.
+    """Yield ever nearer values where nothing moves next to a dead centre, or to the end of a loop.
 
     Two ratios that both grow without end there may change places once more.
     """
     for beyond, end, inside in (*_triples(grid), *_triples(grid[::-1])):
-        if moving.driven(beyond) != moving.driven(end) and _is_stuck(moving, end, inside):
+        if moving.driven(beyond) != moving.driven(end) and _stands(moving, end):
             yield from (end + (inside - end) * 0.5**i for i in range(1, NEARER_VALUES + 1))
 
 
 def _is_stuck(moving: RatioAlong, a: float, b: float) -> bool:
     """Return whether nothing moves at two values, for one reason."""
-    state = moving.at(a).state
-    return state in ("locked", "jammed") and moving.at(b).state == state
+    return _stands(moving, a) and moving.at(b).state == moving.at(a).state
+
+
+def _stands(moving: RatioAlong, x: float) -> bool:
+    """Return whether nothing moves at a value."""
+    return moving.at(x).state in ("locked", "jammed")
 
 
 def _loose(moving: RatioAlong, grid: Sequence[float]) -> Iterator[float]:
