@@ -637,6 +637,14 @@ def test_what_is_equal_to_an_earlier_speed_keeps_its_name():
     assert "v_B_screw_f" not in shown
 
 
+def test_a_result_does_not_repeat_the_line_before_it():
+    """``hence`` stood between two lines that were the same but for the order of letters."""
+    found = compile_source(Source("drum.mech", DRUM.format(way=200)))
+    page = " ".join(render(found.derivation, found.mechanism, unicode=False).split())
+    assert "M_f = F*rho" in page
+    assert "hence M_f = F" not in page
+
+
 def test_an_equation_stands_once():
     (forces,) = re.findall(
         "in the direction x:\n(.*?)\n +N_A is", derived("cabinet_on_casters"), re.S
@@ -660,7 +668,7 @@ let F = 300 N
 @pytest.mark.parametrize(
     ("way", "balance"),
     [
-        (200, ["M_f = rho*F", "M_hold = -rho*F"]),
+        (200, ["M_f = F*rho", "M_hold = -F*rho"]),
         (
             120,
             [

@@ -8,6 +8,7 @@ from itertools import zip_longest
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from ..algebra.from_formula import to_product
 from ..formula.operations import count_operations
 from ..formula.rewriting import plus_first
 from ..formula.tree import ZERO, Call, Formula, Implicit, Product, Sum, Symbol, System
@@ -116,7 +117,19 @@ def _results(
         formulas = [*said, *found, *(d.formula for d in where)]
         numbers = tuple(earlier.new_literals(formulas, mechanism))
         own = {r.name: lines[r.name] for r in shown if r.name in lines}
-        yield Section(explanation.paragraphs, shown, where, weighs, known.units, numbers, own)
+        paragraphs = tuple(_before_results(explanation.paragraphs, shown))
+        yield Section(paragraphs, shown, where, weighs, known.units, numbers, own)
+
+
+def _before_results(
+    paragraphs: "Sequence[Paragraph]", results: Iterable[Analysis]
+) -> "Iterator[Paragraph]":
+    """Yield paragraphs, the last one without equations that results repeat behind it."""
+    yield from paragraphs[:-1]
+    for last in paragraphs[-1:]:
+        repeated = {Symbol(r.name): to_product(r.formula) for r in results}
+        kept = (e for e in last.equations if repeated.get(e.left) != to_product(e.right))
+        yield replace(last, equations=tuple(kept))
 
 
 class ShownNames:

@@ -18,7 +18,15 @@ from fractions import Fraction
 from itertools import pairwise
 
 from ...formula.layout import SIZES, TRIGONOMETRIC, decimal, letter_of
-from ...formula.names import GREEK, MadeRatio, corner_of, split_made_ratio, split_name, words_in
+from ...formula.names import (
+    GREEK,
+    MadeRatio,
+    corner_of,
+    split_force,
+    split_made_ratio,
+    split_name,
+    words_in,
+)
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import FormulaRow, Surroundings, Typesetter
 from ...later import pattern
@@ -69,6 +77,9 @@ def print_name(name: str, signs: TextSigns) -> str:
     """Return a quantity's name.
 
     >>> from .character_sets import UNICODE
+    >>> print_name("R_O_direction_f", UNICODE)
+    'φ_R_O_f'
+    >>> from .character_sets import UNICODE
     >>> [print_name(name, UNICODE) for name in ("alpha_1", "omega_O1B", "len_O1B", "turn_ABC")]
     ['α₁', 'ω_O₁B', 'O₁B', '∠ABC']
     >>> [print_name(name, UNICODE) for name in ("y_Q_0", "V_W_0", "l_1_2", "d_max_2")]
@@ -83,6 +94,8 @@ def print_name(name: str, signs: TextSigns) -> str:
         return f"∠{print_point(corner, signs)}"
     if name.startswith("len_"):
         return print_point(name.removeprefix("len_"), signs)
+    if (force := split_force(name)) and force.is_direction and name not in signs.own:
+        return f"{GREEK['phi']}_{print_name(force.name, signs)}"
     if name not in signs.own and (ratio := split_made_ratio(name)):
         return _print_ratio(ratio, signs)
     head, primes, indices = split_name(_called(name, signs.texts))
