@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from ..algebra.from_formula import to_product
+from ..algebra.product import Product as AlgebraicProduct
 from ..formula.operations import count_operations
 from ..formula.rewriting import plus_first
 from ..formula.tree import ZERO, Call, Formula, Implicit, Product, Sum, Symbol, System
@@ -124,12 +125,14 @@ def _results(
 def _before_results(
     paragraphs: "Sequence[Paragraph]", results: Iterable[Analysis]
 ) -> "Iterator[Paragraph]":
-    """Yield paragraphs, the last one without equations that results repeat behind it."""
+    """Yield paragraphs, the last one without its equations if results repeat all of them."""
     yield from paragraphs[:-1]
     for last in paragraphs[-1:]:
-        repeated = {Symbol(r.name): to_product(r.formula) for r in results}
-        kept = (e for e in last.equations if repeated.get(e.left) != to_product(e.right))
-        yield replace(last, equations=tuple(kept))
+        repeated: dict[Formula, AlgebraicProduct] = {
+            Symbol(r.name): to_product(r.formula) for r in results
+        }
+        is_new = any(repeated.get(e.left) != to_product(e.right) for e in last.equations)
+        yield last if is_new else replace(last, equations=())
 
 
 class ShownNames:

@@ -79,7 +79,6 @@ def print_name(name: str, signs: TextSigns) -> str:
     >>> from .character_sets import UNICODE
     >>> print_name("R_O_direction_f", UNICODE)
     'φ_R_O_f'
-    >>> from .character_sets import UNICODE
     >>> [print_name(name, UNICODE) for name in ("alpha_1", "omega_O1B", "len_O1B", "turn_ABC")]
     ['α₁', 'ω_O₁B', 'O₁B', '∠ABC']
     >>> [print_name(name, UNICODE) for name in ("y_Q_0", "V_W_0", "l_1_2", "d_max_2")]
