@@ -96,7 +96,10 @@ def _whole(value: DumpedValue, stage: str, names: FormulaNames) -> Iterator[str]
 def _lines(
     lead: str, value: DumpedValue, indent: str, way: str, names: FormulaNames
 ) -> Iterator[str]:
-    """Yield the lines of a value: one where it fits, else a heading and those of its parts."""
+    """Yield the lines of a value: one where it fits, else a heading and those of its parts.
+
+    One that was printed before is referred to by its ``way``, the names from the stage down to it.
+    """
     if _is_short(value, len(indent + lead)):
         yield indent + lead + value.line
     elif before := names.get((value.kind, value.line)):

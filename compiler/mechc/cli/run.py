@@ -37,6 +37,10 @@ def run(arguments: Sequence[str] | None = None, asked: bytes = b"") -> int:
 
 
 def _status(arguments: Sequence[str] | None) -> int:
+    """Run the command of a line and return the exit status.
+
+    Click, which takes long to import, reads completions, and lines that are not plain.
+    """
     words = sys.argv[1:] if arguments is None else [*arguments]
     status = None if COMPLETING in os.environ else _plainly(words)
     if status is None:

@@ -129,13 +129,14 @@ def spelled_out(function: str, arguments: tuple[Formula, ...]) -> Formula | None
 
 
 def _between_rows(x: Formula, rows: Sequence[Formula]) -> Formula:
-    """Return a table as a choice of straight lines, without a value beyond its ends."""
+    """Return a table x₁, y₁, x₂, y₂ … as a choice of lines, without a value beyond its ends."""
+    places, values = rows[::2], rows[1::2]
     lines: list[tuple[Formula, Formula]] = []
-    for (low, start), (high, end) in pairwise(zip(rows[::2], rows[1::2], strict=True)):
+    for (low, start), (high, end) in pairwise(zip(places, values, strict=True)):
         slope = quotient(total([end, negative(start)]), total([high, negative(low)]))
         rise = product([(total([x, negative(low)]), 1), (slope, 1)])
         lines.append((high, total([start, rise])))
-    inside = Call("both", (Call("at_most", (rows[0], x)), Call("at_most", (x, rows[-2]))))
+    inside = Call("both", (Call("at_most", (places[0], x)), Call("at_most", (x, places[-1]))))
     return Call("choose", (inside, _halved(x, lines)))
 
 

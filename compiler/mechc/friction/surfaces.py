@@ -15,7 +15,7 @@ from .friction_pairs import LoadedPair
 class Surface(NamedTuple):
     """Friction of a body at a joint: its factor, its slip, and 1, or -1 for a slip turned round.
 
-    ``across`` is, of a guide, the ideal force across it.
+    ``across`` is, of a face or of teeth, the ideal force that presses there.
     """
 
     name: str
@@ -79,16 +79,13 @@ def of_pivot(bodies: Bodies, lever: str) -> Surface | None:
 
 
 def of_guide(bodies: Bodies, body: str) -> Surface | None:
-    """Return the friction on the guide of a slider or slide, and the ideal force across it."""
+    """Return the friction on the guide of a slider or slide."""
     joint_refs = [
         JointRef("ground", body),
         *(JointRef("slide", p, body) for p in bodies.points(body)),
     ]
     found = next((bodies.loaded[b] for b in joint_refs if b in bodies.loaded), None)
-    if found is None:
-        return None
-    (component,) = found.components
-    return _surface(found)._replace(across=-component.ideal)
+    return _surface(found) if found else None
 
 
 def compression(bodies: Bodies, rod: Link) -> Product:

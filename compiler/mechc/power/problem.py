@@ -146,9 +146,9 @@ def problem_of(plan: Plan, report: Report) -> PowerProblem:
 
 
 def _asked_for(mechanism: Mechanism, equations: PowerEquations) -> tuple[str, ...]:
-    """Return the loads that are asked for, and do work."""
+    """Return the free loads of what is asked for, P of P/F or a load alone, that do work."""
     targets = [f.target for f in mechanism.finds]
     asked = [t.above for t in targets if isinstance(t, LoadRatio)]
     asked += [t.load for t in targets if isinstance(t, LoadForm)]
-    owners = dict.fromkeys(equations.owner(name)[0] for name in asked)
-    return tuple(name for name in owners if name in equations.columns)
+    free = dict.fromkeys(load for load, _ in map(equations.owner, asked))
+    return tuple(load for load in free if load in equations.columns)

@@ -194,12 +194,12 @@ def _without_minus(factor: Formula) -> tuple[int, Formula]:
 
 
 def _power(base: Formula, exponent: Formula) -> Formula:
-    """Return a power, the minus of a sine before it, or none where the exponent is even."""
-    sign, sine = _without_minus(base)
+    """Return a power; one of (−s) is written −s^n for an odd n, and s^n for an even one."""
+    sign, size = _without_minus(base)
     if sign > 0 or not isinstance(exponent, Number) or exponent.value.denominator != 1:
         return Power(base, exponent)
-    found = Power(sine, exponent)
-    return negative(found) if exponent.value.numerator % 2 else found
+    positive = Power(size, exponent)
+    return negative(positive) if exponent.value.numerator % 2 else positive
 
 
 def _term(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:

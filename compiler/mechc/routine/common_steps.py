@@ -20,7 +20,7 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.result import FrictionResult
 from ..named import NamedTuple
-from .functions import AskedResult, ProgramOutput, Read, computation, operations, written
+from .functions import AskedResult, ProgramOutput, Read, computation, function_of, operations
 from .scope import ProgramScope
 from .steps import (
     Common,
@@ -102,7 +102,7 @@ class GroupProgram:
         names = _mentioned(one.formula, one.guards)
         where, others = _near(names, self._defined, self._results)
         read = Read(one.formula, where)
-        made = written(one.asked, steps, one.value, one.guards, read, work)
+        made = function_of(one.asked, steps, one.value, one.guards, read, work)
         return replace(made, others=others)
 
 

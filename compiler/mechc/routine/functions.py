@@ -169,7 +169,7 @@ def _by_itself(
     steps = leading_to(names_in(output.ends), known)
     shown = scope.definitions(asked.result.name, asked.read).formulas
     read = _readable(asked.result, formula, shown, scope.inside)
-    return written(asked, steps, value, guards, read, operations(steps))
+    return function_of(asked, steps, value, guards, read, operations(steps))
 
 
 def _sides_of_balances(guards: Iterable[Guard]) -> Iterator[Formula]:
@@ -214,7 +214,7 @@ def steps_to(
     return share(*in_unit_vectors(definitions, formulas, asked, taken), names)
 
 
-def written(
+def function_of(
     asked: AskedResult,
     steps: tuple[ProgramStatement, ...],
     output: Formula,
@@ -222,7 +222,7 @@ def written(
     read: "Read",
     work: int,
 ) -> Function:
-    """Return the function of a result from its parts; its steps are so many operations."""
+    """Return the function of a result; ``work`` is the number of operations in its steps."""
     result = asked.result
     return Function(
         name=result.name,

@@ -72,13 +72,16 @@ class Balanced(Unfolding):
         return {}
 
     def formulas(self, where: tuple[Definition, ...]) -> SharedEvaluation:
-        """Return the way to values of formulas that may use definitions, which stand in order."""
+        """Return an evaluation at this pose of formulas that rest on these definitions, in order.
+
+        It is made once for each tuple of definitions.
+        """
         if id(where) not in self._formulas:
             values = dict(self.values)
             evaluation = SharedEvaluation(values)
             for name, formula in where:
                 values[name] = evaluation.of(formula)
-            self._formulas[id(where)] = where, evaluation  # the id is that of ``where`` as it lives
+            self._formulas[id(where)] = where, evaluation  # kept, so that no other tuple has its id
         return self._formulas[id(where)][1]
 
     @cached_property

@@ -70,10 +70,13 @@ class EliminatedSystem:
         return max((abs(r) / heaviest for r in residual if heaviest), default=0.0)
 
     def weights(self, unknowns: Sequence[float], right: SparseRow) -> list[float]:
-        """Return, per row, the sum of the sizes that its terms may have with entries up to 1."""
+        """Return for each row a bound of the sum of its terms.
+
+        Rows are scaled to a largest entry of 1, so that a term is at most as large as its unknown.
+        """
         sizes = [abs(x) for x in unknowns]
         return [
-            sum(map(sizes.__getitem__, row)) + abs(right.get(i, 0.0)) * self.scales[i]
+            sum(sizes[column] for column in row) + abs(right.get(i, 0.0)) * self.scales[i]
             for i, row in enumerate(self.rows)
         ]
 

@@ -36,6 +36,7 @@ NO_SHIFT = 1e-9
 """A step from line to line below this, in millimetres, is none."""
 
 _SHIFT = {-2: 0.34, -1: 0.22, 0: 0.0, 1: -0.38}
+"""How far below the base line a run of a level is, as a part of the letters' size."""
 
 
 def to_svg(drawing: Drawing) -> str:
@@ -126,11 +127,12 @@ def _label(label: Label, drawing: Drawing) -> str:
 
 
 def _runs(label: Label) -> Iterator[str]:
-    height = 0.0
+    """Yield the runs of a label as tspans, whose dy counts from the run before."""
+    before = 0.0
     for run in label.runs:
         shift = _SHIFT[run.level] * label.size
-        yield f"<tspan{_type(run, label.size, shift - height)}>{_text(run.text)}</tspan>"
-        height = shift
+        yield f"<tspan{_type(run, label.size, shift - before)}>{_text(run.text)}</tspan>"
+        before = shift
 
 
 def _type(run: TextRun, size: float, step: float) -> str:

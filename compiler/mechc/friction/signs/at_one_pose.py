@@ -107,7 +107,10 @@ class SignsAtOnePose(SignNames):
         return here
 
     def _implied(self, factor: Product) -> int | None:
-        """Return the sign of a sum of which all terms have one, by what is noted; else None."""
+        """Return the sign that all terms of a sum have by what is noted.
+
+        None where they differ, one is open, or the factor is no sum.
+        """
         (only,) = factor.factors
         if not isinstance(only, Sum):
             return None

@@ -74,7 +74,10 @@ def _is_given(entry: Arrow | Offset, drive: Drive) -> bool:
 
 
 def with_value(parameter: Parameter, value: float) -> Parameter:
-    """Return a parameter with its value at the default pose, an angle without full turns."""
+    """Return a parameter with its value at the default pose.
+
+    An angle is moved by whole turns to where it is nearest to the middle of its range.
+    """
     ends = parameter.range
     if ends and parameter.dimension == ANGLE:
         middle = (evaluate(ends.low, {}) + evaluate(ends.high, {})) / 2

@@ -143,7 +143,7 @@ def loop_rates(
     ratios of mechanics, ``a·sin(φ − ψ)/(b·sin(ψ − θ))``.
     """
     if len(loops) == 1 and len(unknown) == 1:
-        return _single(loops[0], unknown[0], known)
+        return _rate_of_one(loops[0], unknown[0], known)
     if len(loops) == 1 and len(unknown) == 2:
         return _pair(loops[0], unknown, known)
     rows = [part for loop in loops for part in zip(*_columns(loop, unknown, known), strict=True)]
@@ -155,13 +155,17 @@ def loop_rates(
     }
 
 
-def _single(loop: Vector, unknown: str, known: KnownRates) -> dict[str, Product]:
-    """Solve K + x′·X = 0 along X, where the loop's other unknown was recognised."""
-    given, own = rate(loop, known), rate(loop, {unknown: Product(1)})
-    if len(own) != 1:
+def _rate_of_one(loop: Vector, unknown: str, known: KnownRates) -> dict[str, Product]:
+    """Solve K + x′·X = 0 for x′: K is the rate by what is known, X that by a unit of x′.
+
+    The loop's other unknown has a rate already, so that the component along X is enough; there is
+    nothing where x moves the loop by more than one vector.
+    """
+    by_known, by_unit = rate(loop, known), rate(loop, {unknown: Product(1)})
+    if len(by_unit) != 1:
         return {}
-    size, angle = own[0]
-    along = add(a.length * cosine(a.angle - angle) for a in given)
+    size, angle = by_unit[0]
+    along = add(part.length * cosine(part.angle - angle) for part in by_known)
     return {unknown: add([-(along / size)])}
 
 
@@ -175,7 +179,7 @@ def _columns(
 
 
 def _pair(loop: Vector, unknown: Sequence[str], known: KnownRates) -> dict[str, Product]:
-    """Solve K + x′·X + y′·Y = 0 by products with the vectors at right angles."""
+    """Solve K + x′·X + y′·Y = 0 by products with the vectors square to X and to Y."""
     x, y = unknown
     given = rate(loop, known)
     one, other = (rate(loop, {name: Product(1)}) for name in unknown)

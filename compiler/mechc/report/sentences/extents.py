@@ -58,7 +58,10 @@ def _rests_on_one(result: Analysis) -> bool:
 
 
 def _at_ends(extent: Extent, locale: Locale, spell: Speller) -> Mapping[str, str]:
-    """Return the values at both ends, and the ends, by the places in the sentence for them."""
+    """Return the values at the first and the last end, and where these are, for a sentence.
+
+    ``low`` is the value at the first end, which is the greater one where a result falls.
+    """
     ends = [end for end in (extent.least, extent.greatest) if end is not None]
     first, last = sorted(ends, key=lambda end: end.x)
     return {

@@ -126,7 +126,10 @@ class StrokeRun:
 
 
 def has_sign(target: ResultTarget | None) -> bool:
-    """Return whether this is a component of a force, a force along a rod, or one of a guide."""
+    """Return whether a result is a force with a sign: a component, one in a rod or of a guide.
+
+    A magnitude has none; forces with friction to first order are not looked at.
+    """
     match target:
         case WithFriction(of=force, order="exact"):
             return has_sign(force)
