@@ -1,4 +1,4 @@
-"""Friction: for each pair of surfaces what presses them, and how fast they slip.
+"""Friction: the pairs of surfaces, each with its factor, its joint, and how it slips.
 
 A pin of several links slips in each of them but the one that carries it.
 """
@@ -7,36 +7,31 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import assert_never
 
-from ..algebra.angle import QUARTER
 from ..algebra.from_formula import to_product
-from ..algebra.product import ONE, Product
-from ..formula.tree import PI, Formula, product
+from ..algebra.product import Product
+from ..formula.tree import Formula, product
 from ..frozen import field, frozen
 from ..kinematics import contacts
-from ..kinematics.forms import combined, projection, relative_speed, scaled, spin, subtract
-from ..kinematics.graph import Graph, LinearForm
 from ..kinematics.joint_refs import JointRef, contact_at, members
 from ..kinematics.plan import Plan, SpeedFactors
 from ..kinematics.release import SpeedReading
 from ..model.mechanism import (
     CollarFriction,
     FaceFriction,
-    Feed,
     GuideFriction,
     JointFriction,
     PinFriction,
     PivotFriction,
-    Rope,
     RopeFriction,
     Screw,
     ThreadFriction,
     WheelFriction,
-    WheelPair,
     coulomb,
 )
 from ..named import NamedTuple
-from ..pose.pose import PointContact, Pose
+from ..pose.pose import Pose
 from ..power.joint_forces import guiding
+from . import slips
 
 GivenForces = Mapping[str, Product]
 """The size of each given load."""
@@ -121,23 +116,23 @@ def _of_joint(given: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
             yield from _on_guide(point, factor, pose)
         case WheelFriction(id, kind, point, factor):
             joint = JointRef("mesh", point, id)
-            yield FrictionPair(f"{point}_{kind}", joint, to_product(factor), _rim(joint, pose))
+            yield FrictionPair(f"{point}_{kind}", joint, to_product(factor), slips.rim(joint, pose))
         case ThreadFriction(id, point, factor, thread):
             joint = JointRef("mesh", point, id)
-            slip = _along_thread(joint, to_product(thread), pose)
+            slip = slips.along_thread(joint, to_product(thread), pose)
             yield FrictionPair(f"{point}_screw", joint, to_product(factor), slip)
         case CollarFriction(id, point, factor, radius):
             joint = JointRef("mesh", point, id)
-            slip = _on_collar(joint, to_product(radius), pose)
+            slip = slips.on_collar(joint, to_product(radius), pose)
             pair = FrictionPair(f"{point}_collar", joint, to_product(factor), slip)
             yield pair._replace(besides=tuple(_thrusts(joint, pose)))
         case PivotFriction(point, link, factor, radius, thrust):
-            joint, slip = JointRef("thrust", point, link), _at_radius(link, to_product(radius))
+            joint, slip = JointRef("thrust", point, link), slips.at_radius(link, to_product(radius))
             pair = FrictionPair(f"{point}_collar", joint, to_product(factor), slip)
             yield pair._replace(thrust=thrust)
         case RopeFriction(id, point, factor=factor, tensions=ratio):
             joint = JointRef("mesh", pose.mechanism.joint(id).points[0], id)
-            slip = _along_rope(given, pose)
+            slip = slips.along_rope(given, pose)
             pair = FrictionPair(f"{point}_rope", joint, to_product(factor), slip)
             besides = tuple(_along_the_way(given, pose))
             yield pair._replace(besides=besides, tensions=to_product(ratio))
@@ -152,11 +147,7 @@ def _on_guide(point: str, factor: Formula, pose: Pose) -> Iterator[FrictionPair]
     joint, guide = guiding(point, pose), pose.guide_of(point)
     if guide is None or _is_shared(joint, pose):
         return
-    along = guide
-
-    def slip(graph: Graph) -> LinearForm:
-        return projection(graph.velocities[point], along)
-
+    slip = slips.along_guide(point, guide)
     yield FrictionPair(f"{point}_guide", joint, to_product(factor), slip)
 
 
@@ -165,10 +156,10 @@ def _face(point: str, factor: Formula, pose: Pose) -> FrictionPair:
     if found := pose.mechanism.arc_at(point):
         rod, arc = found
         radius = product([(arc.radius, 1), (coulomb(factor), 1)])
-        joint, slip = JointRef("pin", arc.centre, rod.name), _turning(rod.name, arc.link)
+        joint, slip = JointRef("pin", arc.centre, rod.name), slips.turning(rod.name, arc.link)
         return FrictionPair(f"{point}_face", joint, to_product(radius), slip)
     contact = contact_at(pose, point)
-    slip, joint = _sliding(contact), JointRef("contact", point)
+    slip, joint = slips.sliding(contact), JointRef("contact", point)
     return FrictionPair(f"{point}_face", joint, to_product(factor), slip)
 
 
@@ -176,61 +167,9 @@ def _pin(pin: PinFriction, pose: Pose) -> Iterator[FrictionPair]:
     links = [name for name in pose.mechanism.turning_at(pin.point) if name != pin.carrier]
     for link in links:
         name = pin.point if len(links) == 1 else f"{pin.point}_{link}"
-        slip = _turning(link, pin.carrier)
+        slip = slips.turning(link, pin.carrier)
         joint = JointRef("pin", pin.point, link)
         yield FrictionPair(name, joint, to_product(pin.radius), slip)
-
-
-def _turning(link: str, carrier: str) -> SpeedReading:
-    """Return the rotation of a link relative to what carries its pin."""
-    return lambda graph: contacts.turning(graph, link, carrier)
-
-
-def _sliding(contact: PointContact) -> SpeedReading:
-    """Return the speed along the face at a contact, as it is at the pose that a graph is of.
-
-    Where the contact is released to find its force, that pose has none at the point.
-    """
-
-    def slip(graph: Graph) -> LinearForm:
-        at_graph = (t for t in graph.pose.contacts if t.point == contact.point)
-        return relative_speed(graph, next(at_graph, contact), contact.normal + QUARTER)
-
-    return slip
-
-
-def _rim(joint: JointRef, pose: Pose) -> SpeedReading:
-    """Return the speed of the first wheel's rim, or of a rack."""
-    mesh = contacts.mesh_of(pose, joint.of)
-    if isinstance(mesh, WheelPair):
-        link, radius, arm = mesh.first_link, mesh.first_radius, mesh.arm
-        return lambda graph: scaled(contacts.turning(graph, link, arm), pose.radii[radius])
-    assert isinstance(mesh, Feed), "a rope has no rim"
-    point = mesh.point
-    return lambda graph: projection(graph.velocities[point], pose.moved_along(point))
-
-
-def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> SpeedReading:
-    """Return v·p/(πd) + ω·d/2: what the axial force times μ does work with.
-
-    With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
-    force F presses with F/cos ψ.
-    """
-    screw = contacts.mesh_of(pose, joint.of)
-    assert isinstance(screw, Screw), "a thread is on a screw"
-    slope = _slope(screw, diameter, pose)
-
-    def slip(graph: Graph) -> LinearForm:
-        ahead = projection(graph.velocities[screw.point], pose.moved_along(screw.point))
-        round_ = scaled(spin(graph, screw.link), -diameter.scaled(Fraction(1, 2)))
-        return subtract(scaled(ahead, slope), round_)
-
-    return slip
-
-
-def _slope(screw: Screw, diameter: Product, pose: Pose) -> Product:
-    """Return tan ψ = p/(πd) of a thread."""
-    return pose.radii[screw.pitch] / (to_product(PI) * diameter)
 
 
 def _thrusts(joint: JointRef, pose: Pose) -> Iterator[tuple[str, Product]]:
@@ -242,38 +181,7 @@ def _thrusts(joint: JointRef, pose: Pose) -> Iterator[tuple[str, Product]]:
     assert isinstance(screw, Screw), "a collar is on a screw"
     for given in pose.mechanism.friction.joints:
         if isinstance(given, ThreadFriction) and given.joint == joint.of:
-            yield f"{joint.point}_screw", _slope(screw, to_product(given.thread), pose)
-
-
-def _on_collar(joint: JointRef, radius: Product, pose: Pose) -> SpeedReading:
-    """Return the speed at which a collar slides at its mean radius."""
-    screw = contacts.mesh_of(pose, joint.of)
-    assert isinstance(screw, Screw), "a collar is on a screw"
-    return _at_radius(screw.link, radius)
-
-
-def _at_radius(link: str, radius: Product) -> SpeedReading:
-    return lambda graph: scaled(spin(graph, link), radius)
-
-
-def _along_rope(given: RopeFriction, pose: Pose) -> SpeedReading:
-    """Return how fast a drum overtakes the rope around it, or the rope runs back.
-
-    Friction in the rope adds half of itself behind the pulley and takes half in front of it:
-    what presses then is the mean of both tensions.
-    """
-    rope = contacts.mesh_of(pose, given.joint)
-    assert isinstance(rope, Rope), "friction of a rope is on a rope"
-    half = Product(Fraction(1, 2))
-
-    def slip(graph: Graph) -> LinearForm:
-        each = enumerate(contacts.growths(rope, pose, graph.velocities))
-        back = combined((half if i < given.place else -half, growth) for i, growth in each)
-        if given.reach is None:
-            return back
-        return combined([(ONE, back), (pose.radii[given.reach], spin(graph, given.link))])
-
-    return slip
+            yield f"{joint.point}_screw", slips.lead_slope(screw, to_product(given.thread), pose)
 
 
 def _along_the_way(given: RopeFriction, pose: Pose) -> Iterator[tuple[str, Product]]:
