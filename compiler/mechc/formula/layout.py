@@ -184,9 +184,9 @@ def _place(factor: Formula) -> int:
         return _COEFFICIENT
     if letter_of(base) in _VELOCITIES:
         return _SPEEDS
-    if isinstance(base, Number | Pi):
+    if isinstance(factor, Number) or isinstance(base, Pi):
         return _NUMBERS
-    if isinstance(base, Symbol):
+    if isinstance(base, Number | Symbol):
         return _LETTERS
     return _FUNCTIONS if _has_function(base) else _LENGTHS
 
