@@ -17,7 +17,7 @@ from mechc.report.sentences.speller import LoadWords
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from paths import LIBRARY
-from small_mechanisms import LOADED_COUPLER, follower
+from small_mechanisms import LOADED_COUPLER, follower, gear_train
 
 
 def docstring(code: str, name: str) -> str:
@@ -104,31 +104,12 @@ def test_where_a_rod_does_not_turn_on_a_pin_its_force_goes_through_the_middle_of
     assert "tangent" not in page
 
 
-TRAIN = """
-pivot O1 at (0 mm, 0 mm)
-pivot O2 at (60 mm, 0 mm)
-pivot O3 at (130 mm, 0 mm)
-link O1C
-link O2E
-link O3D
-O1C = 100 mm @ 0 deg
-O2E = 50 mm @ 90 deg
-O3D = 80 mm @ 0 deg
-gear O1 20 mm, O2 40 mm
-gear O2 15 mm, O3 55 mm
-friction gear O1 0.03
-friction gear O2 0.03
-force P at C along -y
-force Q at D along -y
-find k = P/Q
-"""
-
-
 def test_it_is_said_what_the_force_of_teeth_is_and_whether_friction_changes_it():
     """A clutch is pressed by W alone; the force of one pair of gears rests on the next pair."""
+    train = gear_train("friction gear O1 0.03", "friction gear O2 0.03")
     pages = [
         " ".join(render(found.derivation, found.mechanism).split())
-        for found in (begun("plate_clutch"), compile_source(Source("train.mech", TRAIN)))
+        for found in (begun("plate_clutch"), compile_source(Source("train.mech", train)))
     ]
     known, on_others = "which friction does not change", "under the loads and the friction forces"
     teeth = "In gears, belts and racks n is the force that is passed on, and v is the velocity"

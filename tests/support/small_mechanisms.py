@@ -250,6 +250,27 @@ def mirrored_rope(*lines: str) -> str:
     )
 
 
+def gear_train(*lines: str) -> str:
+    """Return two pairs of gears, on O1, O2 and O3, between a crank O1C and a drum O3D."""
+    return _text(
+        "pivot O1 at (0 mm, 0 mm)",
+        "pivot O2 at (60 mm, 0 mm)",
+        "pivot O3 at (130 mm, 0 mm)",
+        "link O1C",
+        "link O2E",
+        "link O3D",
+        "O1C = 100 mm @ 0 deg",
+        "O2E = 50 mm @ 90 deg",
+        "O3D = 80 mm @ 0 deg",
+        "gear O1 20 mm, O2 40 mm",
+        "gear O2 15 mm, O3 55 mm",
+        "force P at C along -y",
+        "force Q at D along -y",
+        "find k = P/Q",
+        *lines,
+    )
+
+
 def drawn_six_bar(*lines: str) -> str:
     """Return a drawn four-bar OABQ whose rocker QBC moves the slider K by the rod CK."""
     return _text(

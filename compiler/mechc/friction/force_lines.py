@@ -81,9 +81,8 @@ class ForceLines:
 
     def _resistances(self, rod: Link) -> dict[str, Product]:
         """Return the friction of the pins on which a rod turns, by their points."""
-        surfaces_at = ((p, surfaces.of_rod(self._bodies, rod, p)) for p in rod.points)
-        found = {p: self.resistance(surface) for p, surface in surfaces_at if surface}
-        return {p: resistance for p, resistance in found.items() if resistance}
+        found = ((p, self.resistance(surface)) for p, surface in self.surfaces(rod).items())
+        return {p: resistance for p, resistance in found if resistance}
 
     def _face(self, contact: PointContact) -> Angle:
         """Return the line of the force on a pin: the normal turned by the angle of friction."""
@@ -105,9 +104,10 @@ class ForceLines:
         side = self._signs.note_sign(f"s_{rack.point}", surface.across)
         return add((ONE, -(self.resistance(surface) * side)))
 
-    def surfaces(self, rod: Link) -> list[Surface]:
-        """Return the frictions of a rod, at one or both of its ends."""
-        return [s for p in rod.points if (s := surfaces.of_rod(self._bodies, rod, p))]
+    def surfaces(self, rod: Link) -> dict[str, Surface]:
+        """Return the frictions of a rod, by the ends at which it has any."""
+        ends = ((p, surfaces.of_rod(self._bodies, rod, p)) for p in rod.points)
+        return {p: surface for p, surface in ends if surface}
 
     def sense_of(self, rod: Link) -> Product:
         """Return the sign of a rod's force in the ideal mechanism, 1 for compression."""

@@ -14,15 +14,7 @@ from ..algebra.product import ONE as UNIT
 from ..algebra.product import ZERO, Product, Sum
 from ..algebra.sums import add, canonical
 from ..formula.operations import count_operations
-from ..formula.tree import (
-    ONE,
-    Formula,
-    Symbol,
-    negative,
-    number,
-    product,
-    total,
-)
+from ..formula.tree import ONE, Formula, Symbol, negative, number, product, total
 from ..formula.tree import ZERO as NONE
 from ..model.mechanism import Mechanism
 from ..model.result import Definition, Result
