@@ -103,6 +103,18 @@ def test_a_choice_is_neither_least_nor_greatest_where_it_jumps():
     assert (trace.turns, trace.poles) == ((), ())
 
 
+def test_rounding_next_to_a_jump_is_no_extremum():
+    """Next to a branch point values are rounding: the point nearest to it is above the others."""
+    jump, nearest = 1.0001, 1.0
+
+    def falling(x):
+        return np.where(x < jump, 2 - x + 0.01 * (abs(x - nearest) < 1e-9), -2 + x)
+
+    trace = whole(falling, 0.0, 2.0)
+    assert trace.jumps == pytest.approx([jump])
+    assert trace.turns == ()
+
+
 def test_a_stretch_of_zeros_is_no_place():
     trace = whole(lambda x: np.where(x < 1.0, 0.0, np.where(x < 1.3, 3.0, 0.0)), 0.0, 2.0)
     assert trace.jumps == pytest.approx([1.0, 1.3])

@@ -1,5 +1,6 @@
 """Any relation on a page of the library balances in units, and its numbers come to its values."""
 
+import math
 import re
 from pathlib import Path
 
@@ -73,6 +74,14 @@ def test_a_wrong_page_is_seen(printed_there, instead, left):
     assert printed_there in tex
     found = wrong(tex.replace(printed_there, instead))
     assert left in {text.split(" = ")[0] for text in found}
+
+
+def test_a_name_is_as_exact_as_the_numbers_in_its_formula():
+    """tan 88.361439 deg - 34.95 is 0.0076: six figures of its terms leave an eighth of it open."""
+    page = "\\[\nZ=\\tan 88.361439^\\circ-34.95\n\\]\n\\[\nk=-Z\n\\]\n"
+    exact = math.tan(math.radians(88.3614394)) - 34.95
+    assert list(PrintedUnits(page, {"k": -exact}).contradictions()) == []
+    assert list(PrintedUnits(page, {"k": -1.2 * exact}).contradictions())
 
 
 def test_an_extremum_at_another_place_is_seen():

@@ -278,3 +278,34 @@ friction contact T 0.0038
     values = lever.evaluate(phi=np.linspace(least.drive - 2e-3, most.drive, 41))["k_hold"]
     assert least.value == pytest.approx(values.min(), abs=1e-9)
     assert again.value < most.value - 1e-8
+
+
+TURNS_ROUND = """
+param phi = -9.0704 deg
+pivot O at (0 mm, 0 mm)
+link OA
+OA = 50 mm @ phi
+pivot C at (106.7107573 mm, 0.8735113619 mm)
+link AB
+AB = 78.41534788 mm
+link CB
+CB = 119.1346288 mm
+assembly ABC ccw
+torque M on OA
+force F at B along -2.124274012915527 rad
+find k = M / F
+drive phi from -5 deg to 5 deg
+param q = 0.2
+friction pins 0.174*q diameter 6 mm journal
+friction pin B 0.15*q diameter 8 mm on AB
+friction pin A 0.15*q diameter 8 mm on AB
+"""
+
+
+def test_a_jump_too_small_to_be_shown_has_no_minimum_and_maximum():
+    """Where CB turns back eta jumps from 0.99209865 to 0.99209938 and falls on both sides."""
+    mechanism = mechc.loads(TURNS_ROUND)
+    before, after = mechanism.evaluate(phi=[0.00818, 0.00819])["eta_k"]
+    assert 1e-7 < after - before < 1e-6
+    extrema = of(mechanism.stroke(3), "eta_k")
+    assert [(e.kind, round(e.value, 4)) for e in extrema] == [("maximum", 0.9922)]

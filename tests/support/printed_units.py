@@ -266,9 +266,10 @@ class PrintedUnits:
     def _is_name(self, tex: str) -> bool:
         return tex in self.names or re.fullmatch(r"[A-Za-z]|\\[a-z]+", tex) is not None
 
-    def value(self, formula: Formula) -> float | None:
+    def value(self, formula: Formula, moved: Mapping[str, float] | None = None) -> float | None:
+        """Return the value of a formula; None where a name in it has none."""
         known = {u: WORDS[UNIT.fullmatch(u)[1]][0] for u in symbols(formula) if UNIT.fullmatch(u)}
-        known |= self.table.values
+        known |= self.table.values | dict(moved or {})
         if isinstance(formula, Call) and formula.function == "branches":
             return None
         return evaluate(formula, known) if symbols(formula) <= known.keys() else None
@@ -346,9 +347,8 @@ class PrintedUnits:
         if not known:
             return
         self.valued += len(known) > 1
-        (first, value), own = known[0], self.slack(relation.parts[known[0][0]])
-        if first == 0 and isinstance(sides[0], Symbol):
-            own = self.rounded.get(sides[0].name, 0.0)
+        first, value = known[0]
+        own = self.slack(relation.parts[first])
         for i, other in known[1:]:
             least = ZERO_AT_AN_END if other == 0 else NOTHING
             slack = own + self.slack(relation.parts[i]) + least
@@ -359,9 +359,16 @@ class PrintedUnits:
             self.rounded[sides[0].name] = own
 
     def slack(self, tex: str) -> float:
-        """Return how far rounding of the numbers printed may change a formula's value."""
-        here = self.value(self.read(tex)) or 0.0
+        """Return how far rounding of the numbers printed may change a formula's value.
+
+        Names count with what rounding may have made of their own values.
+        """
+        formula = self.read(tex)
+        here = self.value(formula) or 0.0
         total = 0.0
+        for name in symbols(formula) & self.rounded.keys():
+            moved = self.value(formula, {name: self.table.values[name] + self.rounded[name]})
+            total += abs((moved or 0.0) - here)
         for literal in (found for found in READ.finditer(tex) if found[1]):
             size = float(literal[1])
             if size:

@@ -35,6 +35,9 @@ NOISE = 1e-12
 PROMINENT = 1e-9
 """What an extremum stands out by at least, against the usual size of values."""
 
+BESIDE_BREAK = 0.05
+"""How near a point is to a break, in cells around it, where its value may be rounding."""
+
 
 class TurningPoint(NamedTuple):
     """A point where a function is least or greatest nearby: sense is 1, or -1."""
@@ -157,13 +160,16 @@ def _turns(function: ArrayFunction, xs: Array, ys: Array, breaks: Array) -> Iter
 def _turning_points(xs: Array, ys: Array, breaks: Array) -> tuple[NDArray[np.intp], Array]:
     """Return the points at which values turn, and of each 1 for a least one, -1 for a greatest.
 
-    A level stretch is an extremum where the function goes back after it.
+    A level stretch is an extremum where the function goes back after it. What a break takes part
+    in is none, nor what a value so close to one does that it may be rounding: a branch point.
     """
     before, here, after = ys[:-2], ys[1:-1], _beyond_level(ys)[1:]
     least = ((before > here) & (here < after)).astype(int)
     sense = least - ((before < here) & (here > after))
     prominent = np.maximum(np.abs(before - here), np.abs(after - here)) > PROMINENT * _usual(ys)
-    clear = ~((xs[:-2, None] <= breaks) & (breaks <= xs[2:, None])).any(axis=1)
+    margin = BESIDE_BREAK * (xs[2:] - xs[:-2])
+    low, high = (xs[:-2] - margin)[:, None], (xs[2:] + margin)[:, None]
+    clear = ~((low <= breaks) & (breaks <= high)).any(axis=1)
     cells = np.flatnonzero((sense != 0) & prominent & clear) + 1
     return cells, sense[cells - 1].astype(np.float64)
 

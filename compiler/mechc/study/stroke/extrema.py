@@ -1,7 +1,7 @@
 """Where a result is least and greatest along a stretch."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise, product
 from typing import Literal
 
@@ -19,6 +19,7 @@ from ..tolerances import (
     SAME_EFFICIENCY,
     SAME_RATIO,
     SAME_VALUE,
+    SHOWN_JUMP,
 )
 from ..variables import spans
 from .jumps import has_turns, is_on_the_stroke
@@ -46,9 +47,40 @@ def extrema_along(
         one
         for stretch, result in product(stretches, run.results)
         if not is_zero(result, run.along, stretch)
-        for one in _on_stretch(run, result, stretch, singular, branches, turns)
+        for one in _without_unseen_jumps(
+            _on_stretch(run, result, stretch, singular, branches, turns), run.range
+        )
     ]
     return tuple(sorted(found, key=lambda e: e.drive))
+
+
+def _without_unseen_jumps(found: Iterable[Extremum], range_: float) -> list[Extremum]:
+    """Return the extrema of a result without the two sides of each jump too small to be shown.
+
+    It falls to a jump, rises there by less than shows in its figures, and falls on: the figures of
+    its minimum and of its maximum there are the same.
+
+    >>> low = Extremum("k", "minimum", 0.5, 1.0)
+    >>> high = Extremum("k", "maximum", 0.5 + 1e-12, 1.0 + 1e-7)
+    >>> _without_unseen_jumps([low, high], 1.0)
+    []
+    >>> len(_without_unseen_jumps([low, high._replace(value=1.1)], 1.0))
+    2
+    """
+    kept = list[Extremum]()
+    for one in sorted(found, key=lambda e: e.drive):
+        before = kept[-1] if kept else None
+        if before and before.kind != one.kind and _is_unseen(before, one, range_):
+            kept.pop()
+        else:
+            kept.append(one)
+    return kept
+
+
+def _is_unseen(before: Extremum, after: Extremum, range_: float) -> bool:
+    """Return whether a result jumps from one extremum to the next, by less than is shown."""
+    is_jump = after.drive - before.drive <= NEAR_JUMP * range_
+    return is_jump and math.isclose(before.value, after.value, rel_tol=SHOWN_JUMP)
 
 
 def _on_stretch(
