@@ -239,6 +239,24 @@ def efficiency_at_the_end_of_a_part(value: float) -> Curve:
     return seen
 
 
+def turning_twice_in_a_cell(places: tuple[float, ...]) -> Curve:
+    """A cubic with extrema an eighth of a cell beside 0.5, said to turn at some places."""
+    seen = Curve.__new__(Curve)
+    seen.name, seen.size, seen.poles, seen.branches = "k_f", 1.0, [], []
+    seen.places, seen.cell = np.linspace(0.0, 1.0, PLACES), 1 / (PLACES - 1)
+    seen.at = lambda x: (
+        ((np.asarray(x) - 0.5) / seen.cell) ** 3 - 3 / 64 * np.asarray(x) / seen.cell
+    )
+    seen.k = seen.at(seen.places)
+    seen.extrema = [SimpleNamespace(drive=0.5 + x * seen.cell, value=1.0) for x in places]
+    return seen
+
+
+def test_extrema_nearer_to_each_other_than_half_a_cell_are_looked_at_as_near():
+    assert list(extrema(turning_twice_in_a_cell((-1 / 8, 1 / 8)))) == []
+    assert len(list(extrema(turning_twice_in_a_cell((-1 / 8, 0.0))))) == 1
+
+
 def test_an_efficiency_of_zero_where_nothing_moves_on_one_side_is_a_minimum():
     assert list(extrema(efficiency_at_the_end_of_a_part(0.0))) == []
     assert list(extrema(efficiency_at_the_end_of_a_part(0.2))) == ["k does not turn at 0.1"]

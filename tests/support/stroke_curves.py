@@ -210,6 +210,10 @@ def singular_poses(seen: Curve) -> Iterator[str]:
 
 
 def extrema(seen: Curve) -> Iterator[str]:
+    """What turns without a word, and what is said to turn and does not.
+
+    The latter is looked at within half a cell, or nearer than the next one that is stated.
+    """
     stated = [e.drive for e in seen.extrema]
     for i in range(2, PLACES - 2):
         five, place = seen.k[i - 2 : i + 3], seen.places[i]
@@ -226,7 +230,9 @@ def extrema(seen: Curve) -> Iterator[str]:
         if value == 0 and seen.is_at_rest(place):  # on one side nothing moves
             continue
         if not seen.is_near(place, [*seen.poles, *seen.branches], 3.0):
-            before, here, after = seen.at([place - seen.cell / 2, place, place + seen.cell / 2])
+            away = (abs(other - place) / 4 for other in stated if other != place)
+            step = min([seen.cell / 2, *away])
+            before, here, after = seen.at([place - step, place, place + step])
             if before < here < after or before > here > after:
                 yield f"k does not turn at {place}"
 
