@@ -127,6 +127,32 @@ def test_a_joint_that_passes_nothing_on_has_no_size():
     assert found["R_O_on_OG_f"].default == 0
 
 
+TURNED = """
+param phi = 60 deg
+pivot O
+slider B along x through O
+link OA
+link AB
+OA = 60 mm @ phi
+AB = 240 mm
+assembly B forward
+torque M on OA
+force F at B along x
+friction pins 0.1 diameter 40 mm
+friction slider B 0.12
+find M/F
+find R_O
+"""
+
+
+def test_at_the_pivot_of_a_crank_under_a_couple_acts_the_force_of_its_rod():
+    """A couple has no part in the size of a force: no root of two squares is printed."""
+    whole = "F/(cos(beta_AB + delta_AB) - f_B*sin(beta_AB + delta_AB))"
+    assert printed(TURNED)["R_O_f"] == whole
+    found = mechc.loads(TURNED).evaluate(F=F)
+    assert found["R_O_f"] == pytest.approx(math.hypot(found["R_O_x_f"], found["R_O_y_f"]))
+
+
 BESIDE_A_RATIO = """
 pivot O at (0 m, -2 m)
 pivot C at (0 m, -1 m)

@@ -130,6 +130,7 @@ def test_a_force_is_stated_under_one_heading_with_its_direction():
         "Force of the guide at C",
     ]
     assert "φ_R_E = atan2(R_E_y, R_E_x)" in text
+    assert text.count("atan2(y, x) is the direction of the vector with the components") == 1
     assert "R_E = |W| / |cos α|" in text
 
 

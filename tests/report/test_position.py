@@ -190,6 +190,19 @@ def test_a_slider_crank_of_two_equal_bars_is_an_isosceles_triangle(rod, kind, po
     assert (step.kind, step.points) == (kind, points)
 
 
+def test_a_direction_that_equal_bars_alone_give_is_stated():
+    """The bars of the table meet in their middles: each is inclined by half the angle there."""
+    *_, last = steps("scissor_table")
+    assert (last.kind, last.points) == ("isosceles", ("A", "M", "B"))
+    assert {d.name: text(d.formula) for d in last.definitions} == {"phi_AM": "gamma_M/2"}
+
+
+def test_loops_of_equal_bars_are_stated_where_forces_alone_lead_to_the_load():
+    text = slider_crank("find k = M/F", drive="").replace("AB = l", "AB = r")
+    derivation = Compilation(Source("m.mech", text)).by_equilibrium
+    assert [step.kind for step in derivation.position] == ["isosceles"]
+
+
 @pytest.mark.parametrize(
     ("language", "sentence"),
     [

@@ -118,6 +118,31 @@ def test_what_is_on_one_line_in_a_pose_of_the_range_is_looked_for():
     assert found["cos(beta_DS)"] == set()
 
 
+SLIDER = """
+param a = 60 mm in 20 mm .. 150 mm
+param alpha = 120 deg in 75 deg .. {high} deg
+param beta = 45 deg
+pivot A
+link AB
+AB = a @ 180 deg + beta
+slider C along alpha + beta
+link BC
+BC = 100 mm @ 135 deg - alpha
+torque P on AB
+force F at C along alpha + beta
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize(("high", "meet"), [(210, True), (85, False)])
+def test_sines_that_vanish_together_along_any_parameter_leave_each_other_out(high, meet):
+    """The pole is stated at beta = 225 deg - 2 alpha; along alpha both are zero at 90 deg."""
+    found = conditions(SLIDER.format(high=high).replace("120", "80"))
+    sine, cosine = "sin(alpha + beta + pi/4)", "cos(2*alpha + beta + pi/4)"
+    assert found[sine] == {cosine}  # its only place, be it outside the range
+    assert found[cosine] == ({sine} if meet else set())
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["equal lengths", "shared lengths"])
 @pytest.mark.parametrize("seed", range(40))

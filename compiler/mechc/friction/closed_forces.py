@@ -197,9 +197,14 @@ class OfBodies:
         return add(part.scaled(sign) for part, sign in parts)
 
     def size(self) -> Product | None:
-        """Return the size of a single force, which counts positive."""
-        if len(self._forces) == 1 and self._line is None:
-            return self._size(self._forces[0][0].name)
+        """Return the size of a single force, which counts positive, beside couples.
+
+        That of a lever which carries nothing else is the force of a rod.
+        """
+        names = [force.name for force, _ in self._forces if force.line is not None]
+        is_rod = len(names) == 1 and self._bodies.rod(names[0]) is not None
+        if self._line is None and (is_rod or len(self._forces) == len(names) == 1):
+            return self._size(names[0])
         return None
 
     def _size(self, name: str) -> Product:

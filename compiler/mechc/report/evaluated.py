@@ -155,9 +155,10 @@ def _of_line(line: NoteLine) -> Iterator[Evaluated]:
 
 
 def has_atan2(whole: ReportOutline) -> bool:
-    """Return whether an angle of the report is found from two components."""
-    found = (part for d in _definitions(whole) for part in walk(d.formula))
-    return any(is_call(part, "atan2") for part in found)
+    """Return whether a direction of the report, be it of a force, is found from two components."""
+    formulas = [d.formula for d in _definitions(whole)]
+    formulas += [r.formula for section in whole.results for r in section.results]
+    return any(is_call(part, "atan2") for formula in formulas for part in walk(formula))
 
 
 def named_directions(

@@ -52,14 +52,14 @@ class RatioSide:
         self.given = {name: value for name, value in near.items() if name not in self.defined}
         self.chain = Chain({**self.defined, _SIZE: item.result.formula})
         mechanism = balance.plan.graph.pose.mechanism
-        self.box, self._ranged = stroke_box(mechanism), with_range(mechanism)
+        self.box, self.ranged = stroke_box(mechanism), with_range(mechanism)
         self.moving_first = moving_first(mechanism)
 
     @cached_property
     def _as_given(self) -> IntervalBox:
         """Return the box of the ranges, of what has none at its value."""
         mechanism = self.balance.plan.graph.pose.mechanism
-        ranged = {name: reach for name, reach in self.box.items() if name in self._ranged}
+        ranged = {name: reach for name, reach in self.box.items() if name in self.ranged}
         still = {n: x for n, x in range_box(mechanism).items() if n != mechanism.drive_name}
         return {**still, **ranged}
 
@@ -74,7 +74,7 @@ class RatioSide:
 
     def is_outside(self, factor: Factor) -> bool:
         """Return whether a factor is proved not to vanish within the ranges that are given."""
-        ranged = symbols(factor.formula()) & self._ranged
+        ranged = symbols(factor.formula()) & self.ranged
         return bool(ranged) and is_free_of_zeros(Product.of(factor), self.box)
 
     def is_absent(self, factor: Factor) -> bool:

@@ -1,11 +1,12 @@
 """Zeros, poles and breaks: which factors vanish, at which angle, and what stands still there."""
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
 from ..algebra.halving import without
-from ..algebra.intervals import Roots, vanishing_values
+from ..algebra.intervals import NumberInterval, Roots, vanishing_values
 from ..algebra.orders import AngleRoot, half_turns, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.trigonometry import sine
@@ -28,6 +29,9 @@ from .candidate_roots import (
 )
 from .causes import across_of
 from .common_zeros import CommonZeros, is_between_sides, is_fold
+
+MOST_STEPS = 48
+"""So many places at which a sine vanishes within a range are looked at."""
 
 
 def limits(
@@ -221,6 +225,7 @@ def _vanishing(trig: Trig, why: Cause, of: RatioSide) -> Vanishing:
     found = trig.angle.names & of.defined.keys()
     at = None if found else vanishing_values(trig, of.near, of.box, of.moving_first)
     zero = [*_at_folds(trig, of), *(_zero_across(at, of) if at else ())]
+    zero += () if found else _zero_within(trig, of)
     but = tuple(dict.fromkeys(f.formula() for f in zero))
     outside, absent = of.is_outside(trig), of.is_absent(trig)
     limit = Vanishing(trig.formula(), None, why, outside, but, absent=absent)
@@ -241,6 +246,31 @@ def _zero_across(at: Roots, of: RatioSide) -> Iterator[Factor]:
         if symbols(place) <= of.near.keys():
             there = {**of.near, at.name: evaluate(place, of.near)}
             yield from (f for f in across if is_zero_at(f, at.name, there))
+
+
+def _zero_within(trig: Trig, of: RatioSide) -> Iterator[Factor]:
+    """Yield what is zero across the line where a sine vanishes along any symbol with a range.
+
+    It is stated for one of them: cos(2a + b) by b = 90° - 2a. Along a, with b = 270°, what is zero
+    at a = 90° may be sin(a - b/3).
+    """
+    across = [f for f, e in of.value.factors.items() if e * of.side < 0]
+    offset = 0.0 if trig.function == "sin" else math.pi / 2
+    if not trig.angle.names <= of.near.keys():
+        return
+    for name, times in trig.angle.terms:
+        if reach := of.box.get(name) if name in of.ranged else None:
+            nearest = of.near[name] - (trig.angle.evaluate(of.near) - offset) / float(times)
+            for place in _steps_within(nearest, math.pi / abs(float(times)), reach):
+                there = {**of.near, name: place}
+                yield from (f for f in across if is_zero_at(f, name, there))
+
+
+def _steps_within(first: float, step: float, reach: NumberInterval) -> Iterator[float]:
+    """Yield what lies whole steps from a first value, within an interval."""
+    low, high = ((end - first) / step for end in (reach.low, reach.high))
+    for steps in range(math.ceil(low), math.floor(high) + 1)[:MOST_STEPS]:
+        yield first + steps * step
 
 
 def _at_folds(trig: Trig, of: RatioSide) -> list[Trig]:

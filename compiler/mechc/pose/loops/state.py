@@ -136,7 +136,7 @@ class LoopState:
         self.graph.sought.difference_update(unknown)
         names = (*(d.name for d in closure.definitions), *self._name_directions())
         like = next((loop.points for loop in self.solved if not known.isdisjoint(loop.names)), ())
-        put_in, placed = tuple(_put_in_by(closure)), place or ("", None)
+        put_in, placed = tuple(_put_in_by(closure, kind)), place or ("", None)
         self.solved.append(SolvedLoop(kind, points, names, turn, like, known, put_in, *placed))
 
     def _put_in(self, directions: Mapping[str, Angle]) -> None:
@@ -204,9 +204,14 @@ def _passing_zero(mechanism: Mechanism) -> Iterator[str]:
             yield parameter.name
 
 
-def _put_in_by(closure: Closure) -> Iterator[PoseDefinition]:
-    """Yield the directions that are put in as those of other vectors, or as mirrored ones."""
+def _put_in_by(closure: Closure, kind: LoopKind) -> Iterator[PoseDefinition]:
+    """Yield the directions that are put in as those of other vectors, or as mirrored ones.
+
+    Where two equal sides meet on a guide they follow from the angle between these.
+    """
     known_by = {closure.across, *closure.alike}
+    if kind == "guide" and all(d.name.startswith("len_") for d in closure.definitions):
+        known_by.update(closure.directions)
     for name, angle in closure.directions.items():
         if name in known_by:
             yield PoseDefinition(name, principal(angle).formula())

@@ -55,7 +55,10 @@ def _order(pose: Pose, formulas: Formulas) -> dict[str, tuple[int, int]]:
 def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator[PositionStep]:
     """Yield a step for each closed loop that gives an angle or a length which is needed."""
     needed = reached([*_mentioned(derivation), *_in_conditions(derivation)], formulas)
-    subjects, fixed = [step.subject for step in derivation.steps], pose.mechanism.fixed
+    subjects = [step.subject for step in derivation.steps]
+    if not subjects:
+        subjects = [link.points for link in pose.mechanism.links]
+    fixed = pose.mechanism.fixed
     for loop in pose.solved:
         names = [n for n in loop.names if n in needed]
         put_in = [d for d in loop.put_in if any(map((_ends(d.name) - fixed).issubset, subjects))]
