@@ -868,3 +868,52 @@ def test_a_friction_by_itself_depends_on_no_others() -> None:
     assert "depends on a force that it changes itself" in page
     assert "The force n follows likewise." in page
     assert "on the others" not in page
+
+
+TOGGLE = """
+param alpha = 15 deg in 3 deg .. 40 deg
+pivot O at (0 mm, 0 mm)
+slider K along y through O
+link OB
+link BK
+OB = 200 mm @ -90 deg - alpha
+BK = 200 mm
+assembly K back
+force P at B along x
+force F at K along y
+friction pins 0.1 diameter 30 mm
+friction slider K 0.1
+find k = P/F
+find R_O
+{value}
+"""
+
+
+def toggle(value="let F = 3 kN"):
+    compilation = compile_source(Source("toggle.mech", TOGGLE.format(value=value)))
+    shown = render(compilation.reported, compilation.mechanism, unicode=False)
+    return [" ".join(line.split()) for line in shown.splitlines()]
+
+
+def test_forces_found_per_unit_of_the_only_load_are_multiplied_by_it():
+    """The quadratic equation for P is not solved once more, with F in it."""
+    lines = toggle()
+    start = lines.index("Force at O, with friction")
+    assert lines[start + 1 : start + 10] == [
+        "P_f is the value of P with friction.",
+        "The forces found above per unit of F are multiplied by F.",
+        "S_BK_f = F * S_BK",
+        "P_f = F * k_f",
+        "The force on OB at O balances all other forces on it:",
+        "R_O_x_f = S_BK_f * sin(alpha + delta_BK) - P_f",
+        "R_O_y_f = -S_BK_f * cos(alpha + delta_BK)",
+        "R_O_f = sqrt(R_O_x_f^2 + R_O_y_f^2)",
+        "phi_R_O_f = atan2(R_O_y_f, R_O_x_f)",
+    ]
+    assert "P_f = 3 kN * 0.584799 = 1.7544 kN" in lines
+    assert "S_BK_f = 3 kN * 1.06997 = 3.20991 kN" in lines
+    assert "R_O_x_f = 3.20991 kN * sin(15.8595 deg) - 1.7544 kN = -0.877199 kN" in lines
+
+
+def test_what_is_per_unit_has_no_number_where_the_load_has_none():
+    assert not [line for line in toggle("") if line.startswith("S_BK = ") and line[-1].isdigit()]

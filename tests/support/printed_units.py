@@ -182,7 +182,7 @@ ACTS = re.compile(
 )
 FORCES = {"The force", "Сила"}
 PER_UNIT = re.compile(
-    r"(?:per unit of|віднесено до|отнесены к) \$(.*?)\$"
+    r"(?:given per unit of|віднесено до|отнесены к) \$(.*?)\$"
     r"(?:, (?:so that|тож|поэтому) \$(.*?)\$ (?:is|— це|— это) \$(.*?)\$)?"
 )
 ROW = re.compile(r"^[^&\n]+ &.*\\\\\*?$", re.MULTILINE)

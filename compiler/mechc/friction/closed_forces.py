@@ -216,9 +216,7 @@ class OfBodies:
 
     def _by_name(self, name: str) -> Product:
         """Return the size of a force by its name, or as it is given."""
-        size, given = self._solved(name), self._given()
-        if name == self._asked.driving and self._asked.drive is None:
-            return size
+        given = self._given()
         return given[name] if name in given else to_product(self._solver.symbol(name))
 
     def _solved(self, name: str) -> Product:

@@ -11,13 +11,13 @@ from ..formula.tree import Call, Formula, Symbol, is_call, number
 from ..formula.walk import symbols, walk
 from ..model.mechanism import (
     GRAVITY,
-    LoadForm,
     LoadRatio,
     Mechanism,
     Parameter,
     WithFriction,
 )
 from ..model.parts import written
+from ..model.parts.targets import HOLDING
 from ..model.result import Definition
 from ..model.values import (
     Chain,
@@ -36,7 +36,7 @@ from .definitions import FREE_FALL, given_loads, looked_up, usual_weights
 from .dimensions import found_dimension, is_solved, names_in
 from .note import NoteLine
 from .put_in import GivenQuantity, has_units, in_numbers, values_of, without_rounding
-from .sections import ReportOutline, Section
+from .sections import ReportOutline, Section, is_joint_force
 from .sentences.remarks import asked
 from .sentences.speller import own_names
 
@@ -101,7 +101,7 @@ def evaluated(whole: ReportOutline, mechanism: Mechanism) -> Iterator[Evaluated]
         accounted = list(_accounted(section, shown))
         if section not in turned:
             yield from _of_definitions(accounted, known)
-            parts = _parts_of_force(section, whole, given, usual)
+            parts = _parts_of_force(section, whole, given, mechanism)
             given |= {d.name: quantity for d, quantity in parts}
             yield from _of_definitions([definition for definition, _ in parts], known)
         numbers = KnownQuantities({}, usual) if section in turned else known
@@ -249,38 +249,41 @@ def _accounted(section: Section, shown: set[str]) -> Iterator[Definition]:
 
 
 def _parts_of_force(
-    section: Section, whole: ReportOutline, given: Mapping[str, GivenQuantity], usual: UsualUnits
+    section: Section, whole: ReportOutline, given: Mapping[str, GivenQuantity], mechanism: Mechanism
 ) -> list[tuple[Definition, GivenQuantity]]:
     """Return the forces of solved bodies that one at a joint is said to be made of.
 
-    They are in the account of a force with friction, or in one before it.
+    They are in the account of a force with friction, or in one before it: per unit of a load in
+    that of a ratio.
     """
-    if not any(_is_joint_force(result) for result in section.results):
+    if not any(is_joint_force(r) and r.default is not None for r in section.results):
         return []
-    said = [e for p in section.paragraphs for e in p.equations]
-    made_of = symbols(*(e.right for e in said)) - given.keys()
-    values, found = values_of(given), list[tuple[Definition, GivenQuantity]]()
-    equations = (e for s in whole.results for p in s.paragraphs for e in p.equations)
-    for left, right in equations:
+    said = [e.right for p in section.paragraphs for e in p.equations]
+    own = {result.name for result in section.results}
+    made_of = symbols(*said, *(r.formula for r in section.results)) - given.keys() - own
+    values, found = dict(values_of(given)), list[tuple[Definition, GivenQuantity]]()
+    usual = usual_units(mechanism)
+    equations = ((e, s) for s in whole.results for p in s.paragraphs for e in p.equations)
+    for (left, right), at in equations:
         if isinstance(left, Symbol) and left.name in made_of and symbols(right) <= values.keys():
             made_of -= {left.name}
-            if math.isfinite(size := evaluate(right, values)) and _is_force(left.name):
-                quantity = GivenQuantity(size, usual.force)
-                found.append((Definition(left.name, right), quantity))
+            size, kind = evaluate(right, values), _measure(left.name, mechanism)
+            if math.isfinite(size) and kind is not None:
+                unit = usual.of(kind.over(_measured_by(at.results[0], mechanism)))
+                found.append((Definition(left.name, right), GivenQuantity(size, unit)))
+                values[left.name] = size
     return found
 
 
-def _is_force(name: str) -> bool:
-    """Return whether a name in an account is that of a force: of a rod, on a surface, at a joint.
+def _measure(name: str, mechanism: Mechanism) -> Dimension | None:
+    """Return the dimension of a force in an account of friction, or of a load with friction.
 
-    Others are coefficients of the equation that a force solves.
+    Other names, None, are coefficients of the equation that a force solves.
     """
-    return split_name(name).head in ("S", "n", "N", "R")
-
-
-def _is_joint_force(result: Analysis) -> bool:
-    target = result.target
-    return isinstance(target, WithFriction) and not isinstance(target.of, LoadRatio | LoadForm)
+    of_load = {f"{load.name}{end}": load for load in mechanism.loads for end in ("_f", HOLDING)}
+    if name in of_load:
+        return of_load[name].dimension
+    return FORCE if split_name(name).head in ("S", "n", "N", "R") else None
 
 
 def _of_definitions(

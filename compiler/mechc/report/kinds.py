@@ -149,6 +149,8 @@ class SentenceKind(Word):
     """The unit of forces."""
     UNIT_AND_DRIVE = "unit and drive"
     """The same where the load of the drive is met: it is the ratio that is asked for."""
+    TIMES_THE_LOAD = "times the load"
+    """Forces that were found per unit of a load are multiplied by it."""
     IN_COMPRESSION = "pressed"
     """A rod is in compression."""
     IN_TENSION = "pulled"

@@ -16,7 +16,14 @@ from ..formula.tree import ZERO, Call, Formula, Implicit, Product, Sum, Symbol, 
 from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter
-from ..model.parts.targets import Efficiency, LoadRatio, SpeedRatio, WithFriction, whole
+from ..model.parts.targets import (
+    Efficiency,
+    LoadForm,
+    LoadRatio,
+    SpeedRatio,
+    WithFriction,
+    whole,
+)
 from ..model.result import Definition
 from ..named import NamedTuple
 from ..study.analysis import Analysis, Multiple
@@ -103,12 +110,13 @@ def _results(
         rested = earlier.new_definitions(
             [Symbol(d.name) for d in explanation.where], explanation.where
         )
+        named = _by_their_parts(results, explanation)
+        results = [in_short(r, derivation.results) for r in named]
         needed = (d for r in results for d in earlier.of(r, lines))
         fresh = [*rested, *needed]
         conditioned = earlier.conditioned(_conditioned_once(results))
         once = earlier.said_once(conditioned, known.positive)
-        brief = (in_short(r, derivation.results) for r in once)
-        shown = tuple(_by_exact(r, derivation) for r in brief if not earlier.has_said(r, lines))
+        shown = tuple(_by_exact(r, derivation) for r in once if not earlier.has_said(r, lines))
         if not shown:
             continue
         weighs = any(d.name in known.usual for d in fresh)
@@ -120,6 +128,30 @@ def _results(
         own = {r.name: lines[r.name] for r in shown if r.name in lines}
         paragraphs = tuple(_before_results(explanation.paragraphs, shown))
         yield Section(paragraphs, shown, where, weighs, known.units, numbers, own)
+
+
+def _by_their_parts(results: Iterable[Analysis], explanation: "Explanation") -> Sequence[Analysis]:
+    """Return the components of a force with friction by the forces that they are said to be.
+
+    They are so where that of one is much shorter: ``R_O_x_f = S_AB_f*cos(beta) - P_f``. What these
+    forces are stands before it.
+    """
+    said = {e.left: e.right for p in explanation.paragraphs for e in p.equations}
+    pairs = [(result, said.get(Symbol(result.name), result.formula)) for result in results]
+    if not any(is_joint_force(r) and _is_much_shorter(f, r.formula) for r, f in pairs):
+        return [result for result, _ in pairs]
+    return [replace(r, formula=f) if is_joint_force(r) else r for r, f in pairs]
+
+
+def is_joint_force(result: Analysis) -> bool:
+    """Return whether a result is a force at a joint, or in a rod, with friction."""
+    target = result.target
+    return isinstance(target, WithFriction) and not isinstance(target.of, LoadRatio | LoadForm)
+
+
+def _is_much_shorter(one: Formula, other: Formula) -> bool:
+    operations = count_operations(other)
+    return operations > max(MOST_SIZE_OPERATIONS, 2 * count_operations(one))
 
 
 def _before_results(

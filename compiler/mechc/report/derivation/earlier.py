@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ...formula.tree import ZERO, Formula, Symbol, is_call
+from ...formula.tree import ONE, ZERO, Formula, Symbol, is_call, product
 from ...formula.walk import substitute, symbols
 from ...friction.solution import FrictionStep
 from ...frozen import replace
@@ -44,6 +44,7 @@ class EarlierSteps:
         self._sentences: set[tuple[SentenceKind, tuple[tuple[str, Formula], ...]]] = set()
         self._equations: set[tuple[Formula, Formula]] = set()
         self._stated: set[Equation] = set()
+        self._per_unit: dict[str, dict[Formula, Formula]] = {}
         self._threads = {f"{j.point}_screw" for j in joints if isinstance(j, ThreadFriction)}
         self._rims = {f"{j.point}_{j.kind}" for j in joints if isinstance(j, WheelFriction)}
 
@@ -71,7 +72,30 @@ class EarlierSteps:
         )
         names = {name: Symbol(name + longer) for name in others}
         self._found |= {names.get(n, Symbol(n)).name: formula for n, formula in found.items()}
-        return [renamed(step, names) for step in steps] if names else steps
+        steps = [renamed(step, names) for step in steps] if names else steps
+        if isinstance(asked.of, LoadRatio) and asked.order == "exact":
+            own = {driving(asked): Symbol(result)}
+            known = self._per_unit.setdefault(asked.of.below, {})
+            known |= {right: own.get(left, left) for left, right in _in_order(steps)}
+        return steps
+
+    def multiplied(self, steps: Sequence[FrictionStep]) -> tuple[Symbol, list[Equation]] | None:
+        """Return a load, and the forces of steps as it times those that were found per unit of it.
+
+        They are so where each has the same formula for a load of 1: with one load all forces are
+        proportional to it. None where they are not.
+        """
+        forces = [force for force, _ in _forces(steps)]
+        for load, per_unit in self._per_unit.items():
+            ones: dict[str, Formula] = {load: ONE}
+            for left, right in _in_order(steps):
+                if one := per_unit.get(substitute(right, ones)):
+                    ones[left.name] = one
+            if forces and all(force.name in ones for force in forces):
+                unit = Symbol(load)
+                times = ((f, product([(unit, 1), (ones[f.name], 1)])) for f in forces)
+                return unit, [Equation(*pair) for pair in times]
+        return None
 
     def enter_equations(
         self, steps: Sequence[FrictionStep], asked: WithFriction
@@ -140,6 +164,13 @@ def _forces(steps: Iterable[FrictionStep]) -> Iterator[tuple[Symbol, Formula]]:
         for left, right in step.equations:
             if isinstance(left, Symbol) and left.name not in named and right != ZERO:
                 yield left, right
+
+
+def _in_order(steps: Iterable[FrictionStep]) -> Iterator[tuple[Symbol, Formula]]:
+    """Yield what steps define and the unknowns that they solve for, as they rest on each other."""
+    for step in steps:
+        yield from ((Symbol(name), formula) for name, formula in step.defined)
+        yield from _forces([step])
 
 
 def renamed(step: FrictionStep, names: Mapping[str, Formula]) -> FrictionStep:

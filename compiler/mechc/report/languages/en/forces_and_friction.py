@@ -86,6 +86,7 @@ WORDS = {
     "part": "By symmetry one of the equal parts is considered.",
     "unit": "Forces are given per unit of {load}.",
     "unit and drive": "Forces are given per unit of {load}, so that {drive} is {ratio}.",
+    "times the load": "The forces found above per unit of {load} are multiplied by {load}.",
     "pressed": "The rod {link} is in compression.",
     "pulled": "The rod {link} is in tension.",
     "crossed": "The force in {link} acts along the internal common tangent of the friction "
