@@ -84,6 +84,13 @@ def test_across_two_equal_arms_a_cylinder_is_on_the_line_that_halves_their_angle
         assert bar.evaluate(alpha=alpha)["k"] == pytest.approx(expected)
 
 
+def test_it_pushes_both_ends_apart_whichever_is_named_first():
+    """From A to B the two arms halve the angle backwards."""
+    other_way = ACROSS.replace("between B and A", "between A and B")
+    bar = mechc.loads(other_way.format(range=" in 60 deg .. 150 deg"))
+    assert str(bar.k) == "-1/(a*cos(alpha/2 - gamma/2))"
+
+
 def test_beyond_the_range_that_it_rests_on_it_has_no_value():
     """Below 10 degrees A and B have changed places, and P would push the other way."""
     bar = mechc.loads(ACROSS.format(range=" in 60 deg .. 150 deg"))
