@@ -102,6 +102,11 @@ def test_comments_of_yaml_stay_with_their_statements():
     assert found.trailing == ("end",)
 
 
+def test_a_comment_on_a_line_inside_a_statement_of_yaml_stands_above_it():
+    found = tree("params:\n  a: 1\n  b:\n    # how wide\n    value: 2\n  c: 3\n", "a.yaml")
+    assert [one.comments for one in found.statements] == [(), ("how wide",), ()]
+
+
 def test_a_statement_goes_on_in_brackets_and_behind_operators():
     assert tree("let k = (a +\n b) *\n c") == tree("let k = (a + b)*c")
 
