@@ -30,10 +30,11 @@ def test_the_branch_of_the_start_is_followed_to_the_last_digits():
 
 def test_an_angle_known_but_for_turns_is_brought_near_to_its_anchor():
     turning = replace(SOLVER, turning=("p",))
-    turned = np.array([2.0, 2.0 + 2 * np.pi, 2.0 - 4 * np.pi])
-    status, (found,) = follow(root, turning, [turned])
-    assert not status.any()
-    assert found == pytest.approx(np.full(3, -np.sqrt(2.0)), rel=1e-14, abs=0)
+    for angle in (2.0, 0.5):  # ahead of the anchor, and behind it
+        turned = np.array([angle, angle + 2 * np.pi, angle - 4 * np.pi])
+        status, (found,) = follow(root, turning, [turned])
+        assert not status.any()
+        assert found == pytest.approx(np.full(3, -np.sqrt(angle)), rel=1e-14, abs=0)
 
 
 def test_where_the_branch_ends_there_is_no_number():
