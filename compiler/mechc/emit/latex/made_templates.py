@@ -56,7 +56,9 @@ def _body(_known: Mapping[str, Any]) -> str:
             if (len(_known["steps"]) > 1):
                 _parts += ['  \\item ']
             _parts += [str(step.sentence), '\n']
-            if step.relations:
+            if (step.relations and step.results):
+                _parts += ['{\\postdisplaypenalty=10000\n', str(step.relations), '\n}\n']
+            elif step.relations:
                 _parts += [str(step.relations), '\n']
             if step.results:
                 _parts += [str(_known["locale"].hence), '\n', str(step.results), '\n']
@@ -66,18 +68,22 @@ def _body(_known: Mapping[str, Any]) -> str:
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].power), '}\n', str(_known["locale"].power_rule)]
         if _known["explained"]:
             _parts += [' ', str(_known["explained"])]
-        _parts += ['\n', str(_known["balances"]), '\n']
+        _parts += ['\n']
         if _known["last"]:
-            _parts += [str(_known["locale"].hence), '\n', str(_known["last"]), '\n']
+            _parts += ['{\\postdisplaypenalty=10000\n', str(_known["balances"]), '\n}\n', str(_known["locale"].hence), '\n', str(_known["last"]), '\n']
+        else:
+            _parts += [str(_known["balances"]), '\n']
     for line in (_known["pictures"].bodies + _known["pictures"].plans):
         _parts += [str(line), '\n']
     _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].results), '}\n']
     for loop, result in turns(_known["results"]):
         if result.heading:
             _parts += ['\n\\medskip\n\\noindent\\textbf{', str(result.heading), ':}\n']
-        for paragraph in result.paragraphs:
+        for loop, paragraph in turns(result.paragraphs):
             _parts += [str(paragraph.sentence), '\n']
-            if paragraph.equations:
+            if ((paragraph.equations and loop.last) and result.follows):
+                _parts += ['{\\postdisplaypenalty=10000\n', str(paragraph.equations), '\n}\n']
+            elif paragraph.equations:
                 _parts += [str(paragraph.equations), '\n']
         if result.follows:
             _parts += ['\n\\noindent ', str(_known["locale"].hence), '\n']
