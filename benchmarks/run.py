@@ -29,13 +29,13 @@ from generators import (
     uneven_scissor,
 )
 from measure import exponent, medians, table, timed
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation, compile_source, emit
 from mechc.diagnostics import Report
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.files import library, mechanisms, read
 from mechc.formula.to_sympy import to_sympy
-from mechc.frozen import replace
 from mechc.kinematics.from_pose import plan_velocities
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import Mechanism

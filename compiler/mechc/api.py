@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from .figure.figure import Figure
     from .routine.evaluate import OnArrays
     from .shown import ShownDerivation, ShownResult, ShownStroke
-    from .statics.diagram import Diagram
+    from .statics.diagrams.diagram import Diagram
 
 
 class SolvedMechanism(Plotting):

@@ -7,11 +7,11 @@ plots and the derivation by equilibrium, is made of their values here.
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from .base.frozen import replace
+from .base.named import NamedTuple
 from .diagnostics import Diagnostic, MechcError, Report
-from .frozen import replace
 from .model.mechanism import Mechanism
 from .model.values import defaults, independent
-from .named import NamedTuple
 from .pipeline import SECOND_OPINIONS, STAGES, Pipeline, of_linkages
 from .source import Source
 from .stage import Stage, within
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from .plot.plot import Plot
     from .plot.query import Query
     from .report.steps import Derivation
-    from .statics.diagram import Diagram
+    from .statics.diagrams.diagram import Diagram
     from .study.stroke.from_balance import Watch as Drives
     from .study.stroke.stroke import Stroke
 
@@ -174,7 +174,7 @@ class Compilation(Pipeline):
         self, values: Mapping[str, float], loads: Mapping[str, float]
     ) -> "tuple[Diagram, ...]":
         """Return the free bodies at given values and loads; none where there is no figure."""
-        from .statics.to_diagrams import diagrams
+        from .statics.diagrams.to_diagrams import diagrams
 
         figure = self.drawn(values) if values else self.figure
         if figure is None:

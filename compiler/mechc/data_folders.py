@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     import tempfile
     from importlib.resources.abc import Traversable
 else:
-    from .later import Later
+    from .base.later import Later
 
     shutil, tempfile = Later("shutil"), Later("tempfile")
 

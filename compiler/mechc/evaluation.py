@@ -6,13 +6,13 @@ from collections.abc import Iterable, Mapping, Set
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from .base.frozen import replace
 from .compilation import Compilation
 from .diagnostics import near_miss
 from .formula.evaluate import evaluate
 from .formula.to_text import text
 from .formula.tree import Formula
 from .formula.walk import symbols
-from .frozen import replace
 from .model.formulas.parameters import in_si
 from .model.mechanism import Mechanism
 from .model.result import Definition, FrictionResult, Result

@@ -7,10 +7,10 @@ from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
 from . import events, whole_files
+from .base.frozen import replace
 from .data_folders import data
 from .diagnostics import MechcError, near_miss, syntax_limits
 from .diagnostics import files as messages
-from .frozen import replace
 from .source import Source, Span
 
 LARGEST_DESCRIPTION = 1 << 20

@@ -9,11 +9,11 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
+from .base.frozen import replace
 from .diagnostics import sheets as messages
 from .files import resolved
 from .friction.from_balance import solve
 from .friction.solution import FrictionSolution
-from .frozen import replace
 from .kinematics.from_pose import plan_velocities
 from .kinematics.plan import Plan
 from .model.from_syntax import resolve

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from .base.frozen import replace
 from .compilation import Compilation
-from .frozen import replace
 from .plot.query import USUAL_ROWS, GivenSetting, Query, condition
 from .syntax.settings import parse
 
@@ -46,7 +46,7 @@ class Plotting:
         >>> clamp.plot("alpha", family={"beta": ["10 deg", "20 deg"]}).alt
         'k against alpha from 2° to 40°. k, beta = 10°: 0.04225 at the start, ...'
         """
-        from .drawing.from_plot import picture
+        from .drawing.plots.from_plot import picture
         from .emit.picture import PlotPicture
         from .formula.letters import letters
         from .report.languages.registry import locale

@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 from typing import TypeVar
 
+from .base.frozen import contents, field, frozen
 from .compilation import Compilation, checked
 from .emit.latex import notebook
 from .formula.to_text import text
-from .frozen import contents, field, frozen
 from .report.steps import Derivation
 from .report.text.stroke import to_html
 from .study.analysis import Analysis

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
-from .frozen import frozen, replace
-from .named import NamedTuple
+from .base.frozen import frozen, replace
+from .base.named import NamedTuple
 
 
 class Span(NamedTuple):

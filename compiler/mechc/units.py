@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from .named import NamedTuple
+from .base.named import NamedTuple
 
 
 class Dimension(NamedTuple):

@@ -5,7 +5,7 @@ from itertools import product
 
 import pytest
 
-from mechc.algebra.blocks import blocks, match
+from mechc.algebra.solution_order import blocks, match
 
 
 def test_a_chain_is_solved_from_its_end():

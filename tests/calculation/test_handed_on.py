@@ -1,8 +1,8 @@
 """What a sheet takes from a mechanism: numbers that the drawing gives, and conditions of loops."""
 
+from mechc.base.frozen import replace
 from mechc.calculation.mechanism_results import solved
 from mechc.formula.tree import ZERO, Symbol, number
-from mechc.frozen import replace
 from mechc.model.mechanism import Parameter, Require
 from mechc.model.result import Definition
 from mechc.pose.pose import Pose, PoseDefinition

@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 from mechc.algebra.angle import Angle
 from mechc.algebra.product import ONE, Product
+from mechc.base.frozen import field, frozen
 from mechc.cli.dump import DUMP_COLUMNS, dump
 from mechc.figure import figure
 from mechc.formula.tree import Symbol, degrees, number, product
-from mechc.frozen import field, frozen
 from mechc.kinematics.graph import Flow, Relation, Rule, SpeedKind, UnknownSpeed
 from mechc.kinematics.plan import Binding, Block
 from mechc.model import mechanism as model

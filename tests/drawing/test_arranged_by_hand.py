@@ -3,8 +3,9 @@
 import pytest
 
 from mechc.drawing.arrange import WIDE, below_each_other, in_rows, joined, parted
-from mechc.drawing.drawing import SYMBOL, Arc, Drawing, Label, TextRun
-from mechc.drawing.panels import kept
+from mechc.drawing.drawing import Arc, Drawing, Label, TextRun
+from mechc.drawing.pens import SYMBOL
+from mechc.drawing.plots.panels import kept
 from mechc.pose.places import Plane
 
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from mechc.drawing.axes import PanelFrame, heading, label, numbers_below, numbers_beside
 from mechc.drawing.drawing import TextRun
-from mechc.drawing.ticks import Scale
+from mechc.drawing.plots.axes import PanelFrame, heading, label, numbers_below, numbers_beside
+from mechc.drawing.plots.ticks import Scale
 from mechc.plot.plot import PlotAxis
 from mechc.pose.places import Plane
 from mechc.units import FORCE, LENGTH, NUMBER

@@ -8,8 +8,9 @@ import pytest
 from good_mechanisms import ALL, begun
 from mechc.cli import main
 from mechc.compilation import Compilation
-from mechc.drawing.drawing import AXIS, FORCE, Arc, Polyline
+from mechc.drawing.drawing import Arc, Polyline
 from mechc.drawing.language_letters import in_letters
+from mechc.drawing.pens import AXIS, FORCE
 from mechc.drawing.symbols import LARGEST_ARROW, SHORTEST_ARROW
 from mechc.formula.letters import letters
 from mechc.report.languages.en.pictured import WORDS as EN

@@ -4,13 +4,13 @@ import math
 
 import pytest
 
+from mechc.base.frozen import replace
 from mechc.drawing.describe import describe as say_scheme
 from mechc.drawing.describe import say_velocities
-from mechc.drawing.describe_plot import describe, shown
+from mechc.drawing.plots.describe_plot import describe, shown
 from mechc.drawing.vectors import VelocityVectors
 from mechc.figure.from_pose import draw
 from mechc.figure.velocities import MotionVelocities
-from mechc.frozen import replace
 from mechc.plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis, Zone
 from mechc.pose.places import Plane
 from mechc.report.languages.en.pictured import WORDS as EN

@@ -5,10 +5,11 @@ from itertools import islice
 
 import pytest
 
-from mechc.drawing.drawing import AXIS, BODY, SYMBOL, Arc, Polyline, TextRun
+from mechc.drawing.drawing import Arc, Polyline, TextRun
 from mechc.drawing.labels import LABEL_DISTANCES, AlongArc, AroundPoint, BesideLine, next_to, write
 from mechc.drawing.lettering import SIZE, text_size
 from mechc.drawing.occupied import Occupied, Rectangle
+from mechc.drawing.pens import AXIS, BODY, SYMBOL
 from mechc.pose.places import Plane
 
 NAME = (TextRun("A", italic=True),)

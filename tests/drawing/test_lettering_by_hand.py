@@ -2,10 +2,10 @@
 
 import pytest
 
+from mechc.base.frozen import replace
 from mechc.drawing.from_figure import scheme
 from mechc.drawing.lettering import figures, formula, measured, name, text_size, times
 from mechc.figure.from_pose import draw
-from mechc.frozen import replace
 from mechc.report.languages.en.pictured import WORDS as EN
 from small_poses import lever
 

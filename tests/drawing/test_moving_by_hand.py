@@ -2,9 +2,9 @@
 
 import pytest
 
-from mechc.drawing.drawing import AXIS, SYMBOL
 from mechc.drawing.moving import CROSS, Marks, draw_marks
 from mechc.drawing.paper import on_paper
+from mechc.drawing.pens import AXIS, SYMBOL
 from mechc.drawing.sheet import Sheet
 from mechc.figure.from_pose import draw
 from mechc.figure.velocities import MotionVelocities

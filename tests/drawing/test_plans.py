@@ -8,14 +8,15 @@ import pytest
 from good_mechanisms import ALL, begun
 from mechc.cli import main
 from mechc.compilation import Compilation
-from mechc.drawing.drawing import FORCE, RELATIVE, SYMBOL, VELOCITY, Arc, Polyline
+from mechc.drawing.drawing import Arc, Polyline
 from mechc.drawing.moving import Marks
 from mechc.drawing.paper import on_paper
+from mechc.drawing.pens import FORCE, RELATIVE, SYMBOL, VELOCITY
 from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.report.languages.ru.pictured import WORDS as RU
 from mechc.report.languages.uk.pictured import WORDS as UK
 from mechc.source import Source
-from mechc.statics.diagram import friction_circles
+from mechc.statics.diagrams.diagram import friction_circles
 from readable_drawings import assert_readable, lettering, written
 
 FEW = [

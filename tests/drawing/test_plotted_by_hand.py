@@ -2,9 +2,9 @@
 
 import pytest
 
-from mechc.drawing.describe_plot import shown
 from mechc.drawing.drawing import Polyline
-from mechc.drawing.from_plot import LEGEND_ROW, picture
+from mechc.drawing.plots.describe_plot import shown
+from mechc.drawing.plots.from_plot import LEGEND_ROW, picture
 from mechc.plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis
 from mechc.pose.places import Plane
 from mechc.report.languages.en.pictured import WORDS as EN

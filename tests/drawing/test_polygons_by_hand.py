@@ -5,8 +5,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from mechc.drawing.drawing import RELATIVE, VELOCITY
 from mechc.drawing.force_polygon import PARALLEL_GAP, _sides, visible
+from mechc.drawing.pens import RELATIVE, VELOCITY
 from mechc.drawing.vectors import ForceVectors, VelocityVectors
 from mechc.drawing.velocity_polygon import LARGE, _behind, _points, _PolygonMaker, velocity_scale
 from mechc.figure.figure import Link, Slide, Slot

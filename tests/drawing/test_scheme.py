@@ -17,23 +17,14 @@ from grown import Grown
 from mechc.cli import main, make_gallery
 from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.drawing.drawing import (
-    BODY,
-    COPY,
-    FORCE,
-    HATCH,
-    MEASURE,
-    SYMBOL,
-    VELOCITY,
-    Arc,
-    Polyline,
-)
+from mechc.drawing.drawing import Arc, Polyline
 from mechc.drawing.from_figure import scheme
 from mechc.drawing.lettering import name as lettering_of
 from mechc.drawing.loads import meets
 from mechc.drawing.moving import Marks
 from mechc.drawing.occupied import Occupied
 from mechc.drawing.paper import on_paper
+from mechc.drawing.pens import BODY, COPY, FORCE, HATCH, MEASURE, SYMBOL, VELOCITY
 from mechc.emit.svg.picture import to_png, to_svg
 from mechc.emit.tikz.picture import to_tikz
 from mechc.figure.figure import Actuator, Force, Spring, Torque

@@ -5,7 +5,8 @@ import re
 
 import pytest
 
-from mechc.drawing.drawing import AXIS, BODY, FORCE, SYMBOL, Arc, Drawing, Label, Polyline, TextRun
+from mechc.drawing.drawing import Arc, Drawing, Label, Polyline, TextRun
+from mechc.drawing.pens import AXIS, BODY, FORCE, SYMBOL
 from mechc.emit.svg.picture import to_svg
 from mechc.emit.tikz.picture import mathematics, tikzpicture, to_tikz
 from mechc.pose.places import Plane

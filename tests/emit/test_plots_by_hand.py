@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from mechc.drawing.from_plot import picture
+from mechc.drawing.plots.from_plot import picture
 from mechc.emit.pgfplots.to_pgfplots import to_pgfplots
 from mechc.emit.picture import Picture, PlotPicture
 from mechc.emit.plot_tables import head, to_csv, values

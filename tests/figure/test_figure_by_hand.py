@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from mechc.algebra.product import Product
+from mechc.base.frozen import replace
 from mechc.figure import dimensions, from_balance, layout
 from mechc.figure.figure import AngleMark, DimensionLine, MirrorLine, Pivot, Rack
 from mechc.figure.from_balance import _MotionMaker
@@ -16,7 +17,6 @@ from mechc.figure.linear_vectors import DrawnVector, Linear, LinearVectors, open
 from mechc.figure.velocities import MotionVelocities, rates
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import ZERO, Constant, Symbol, degrees, negative, number, product, total
-from mechc.frozen import replace
 from mechc.model.mechanism import (
     Absolute,
     AlongLine,

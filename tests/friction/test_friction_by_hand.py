@@ -10,6 +10,7 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.product import ONE, ZERO, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.base.frozen import replace
 from mechc.formula.evaluate import evaluate
 from mechc.formula.numeric.rounding import Rounding
 from mechc.formula.to_text import text
@@ -43,7 +44,6 @@ from mechc.friction.signs.at_any_pose import AtAnyPose
 from mechc.friction.signs.at_one_pose import SignsAtOnePose
 from mechc.friction.signs.conditions import conditions
 from mechc.friction.signs.names import bare, is_root
-from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
 from mechc.model.mechanism import LoadRatio, Mirror, Rope
 from mechc.model.parts.friction import (

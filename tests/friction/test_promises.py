@@ -5,10 +5,10 @@ import math
 import pytest
 
 from good_mechanisms import ALL, begun
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.formula.tree import ZERO, Symbol, number, product
 from mechc.friction.promises import broken_promises
-from mechc.frozen import replace
 from mechc.model.mechanism import Require
 from mechc.model.result import Definition
 from mechc.source import Source, Span

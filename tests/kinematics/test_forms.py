@@ -5,7 +5,7 @@ import math
 import pytest
 
 from mechc.algebra.product import ONE, Product
-from mechc.frozen import replace
+from mechc.base.frozen import replace
 from mechc.kinematics import forms
 from mechc.kinematics.graph import Flow
 from mechc.model.mechanism import ForcePair

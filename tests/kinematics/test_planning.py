@@ -10,9 +10,9 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.factors import ConstantSymbol
 from mechc.algebra.product import ONE, ZERO, Product
 from mechc.algebra.sums import BoundSum, add
+from mechc.base.frozen import replace
 from mechc.diagnostics import MechcError, Report
 from mechc.formula.tree import Number, Symbol
-from mechc.frozen import replace
 from mechc.kinematics.from_pose import _check_frame, plan_velocities
 from mechc.kinematics.graph import Graph, Relation, Rule, SpeedKind, UnknownSpeed
 from mechc.kinematics.locked import described, locked

@@ -5,8 +5,8 @@ import pytest
 from good_mechanisms import ALL, begun
 from mechanisms import sample
 from mechc.algebra.product import ONE
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
-from mechc.frozen import replace
 from mechc.kinematics.promises import broken_promises
 from mechc.kinematics.readable import readable_plan
 from mechc.source import Source

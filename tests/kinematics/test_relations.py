@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from mechc.frozen import replace
+from mechc.base.frozen import replace
 from mechc.kinematics.contacts import mesh_of, relations, slipping, spinning
 from mechc.kinematics.graph import Rule, SpeedKind
 from small_poses import (

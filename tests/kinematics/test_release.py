@@ -5,7 +5,7 @@ import math
 import pytest
 
 from mechc.algebra.product import ONE
-from mechc.frozen import replace
+from mechc.base.frozen import replace
 from mechc.kinematics.joint_refs import JointRef, contact_at, held_end, members, unclear
 from mechc.kinematics.release import released_linkage, work_of
 from mechc.model.mechanism import Force

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import mechc
+from mechc.base.frozen import replace
 from mechc.compilation import compile_source
 from mechc.diagnostics import MechcError
 from mechc.files import library, read
 from mechc.formula.evaluate import evaluate
-from mechc.frozen import replace
 from mechc.model.mechanism import Parameter
 from mechc.report.text.derivation import render
 from mechc.source import Source

@@ -3,7 +3,7 @@
 import pytest
 
 from by_hand import HERE, force, torque
-from mechc.frozen import replace
+from mechc.base.frozen import replace
 from mechc.model.mechanism import ForcePair
 from mechc.units import FORCE, TORQUE
 

@@ -4,10 +4,10 @@ import math
 
 import pytest
 
+from mechc.base.frozen import fields, replace
 from mechc.compilation import Compilation
 from mechc.formula.numeric.rounding import PrintedNumber
 from mechc.formula.tree import Symbol, number, total
-from mechc.frozen import fields, replace
 from mechc.model.mechanism import Let, Mechanism, Parameter, Require
 from mechc.model.result import ClosedLoop, Definition, Result, UsedSolution
 from mechc.model.values import (

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from mechc.frozen import contents, field, fields, frozen, on_demand, replace
+from mechc.base.frozen import contents, field, fields, frozen, on_demand, replace
 from paths import PACKAGE
 
 

@@ -5,7 +5,7 @@ import pickle
 
 import pytest
 
-from mechc.words import Word
+from mechc.base.string_enum import Word
 
 
 class Side(Word):

@@ -5,7 +5,7 @@ from types import ModuleType
 
 import pytest
 
-from mechc.later import Later, waiting
+from mechc.base.later import Later, waiting
 
 
 @pytest.fixture

@@ -9,14 +9,11 @@ from paths import PACKAGE
 from sources import tree_of
 
 BASE = [
-    "later",
-    "named",
-    "words",
+    "base",
     "version",
     "cache_folder",
     "whole_files",
     "events",
-    "frozen",
     "source",
     "units",
     "work",

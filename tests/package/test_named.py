@@ -8,7 +8,7 @@ import typing
 
 import pytest
 
-from mechc import named
+from mechc.base import named
 
 
 class Rod(named.NamedTuple):

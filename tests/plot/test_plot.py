@@ -12,13 +12,13 @@ import pytest
 
 import mechc
 from good_mechanisms import loaded
+from mechc.base.frozen import replace
 from mechc.cli import main
 from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.drawing.axes import GRID, PAPER, ZERO
-from mechc.drawing.panels import laid_out
+from mechc.drawing.plots.axes import GRID, PAPER, ZERO
+from mechc.drawing.plots.panels import laid_out
 from mechc.emit.svg.picture import to_svg
-from mechc.frozen import replace
 from mechc.plot.query import usual
 from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.source import Source

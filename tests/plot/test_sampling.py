@@ -8,8 +8,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from mechc.base.frozen import replace
 from mechc.formula.tree import number
-from mechc.frozen import replace
 from mechc.model.mechanism import Parameter
 from mechc.plot.curves import limits, pieces, smooth
 from mechc.plot.dead_centres import _Rest

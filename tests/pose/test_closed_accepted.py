@@ -15,7 +15,7 @@ import reference_geometry
 from mechc.compilation import Compilation, complete
 from mechc.routine.evaluate import evaluate, pose
 from mechc.source import Source
-from mechc.statics.closure import worst_gap
+from mechc.statics.geometry_check import worst_gap
 from paths import CORPUS
 
 CLOSED = CORPUS / "closed"

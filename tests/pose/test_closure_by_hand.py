@@ -6,7 +6,7 @@ import pytest
 
 from mechc.algebra.angle import Angle
 from mechc.algebra.product import Product
-from mechc.pose.closure import ClosingEquations, ClosureCondition
+from mechc.pose.closure_check import ClosingEquations, ClosureCondition
 from mechc.pose.pose import Arm
 from mechc.source import Span
 

@@ -4,7 +4,7 @@ import pytest
 
 from mechc.formula.tree import ZERO
 from mechc.model.mechanism import Drawn, Link, Mechanism, Parameter, Pivot, Slot
-from mechc.pose.closure import given_by_hand
+from mechc.pose.closure_check import given_by_hand
 from mechc.pose.missing_directions import _without_input
 from mechc.pose.pose import OpenUnknowns
 from mechc.pose.vectors import Missing

@@ -8,9 +8,9 @@ from good_mechanisms import ALL, begun
 from mechanisms import sample
 from mechc.algebra.product import ONE, Product
 from mechc.algebra.trigonometry import cosine
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.formula.tree import Call, Symbol, number, product
-from mechc.frozen import replace
 from mechc.model.mechanism import Drive
 from mechc.pose.promises import broken_promises
 from mechc.source import Source

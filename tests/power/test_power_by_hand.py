@@ -8,9 +8,9 @@ import pytest
 from mechc.algebra.product import ONE, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.base.frozen import replace
 from mechc.formula.to_text import text
 from mechc.formula.tree import ZERO, Call, Symbol, number, power, product, total
-from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
 from mechc.model.mechanism import Axial, Contact, Mirror, Normal, Pivot, Reaction, Speed
 from mechc.pose.pose import Arm

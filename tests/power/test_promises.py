@@ -4,9 +4,9 @@ import pytest
 
 from good_mechanisms import ALL, begun
 from mechanisms import sample
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.formula.tree import Symbol, product, total
-from mechc.frozen import replace
 from mechc.model.result import Definition
 from mechc.power.promises import broken_promises
 from mechc.source import Source

@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from mechc.base.frozen import replace
 from mechc.formula.tree import (
     Call,
     Constant,
@@ -15,7 +16,6 @@ from mechc.formula.tree import (
     product,
     total,
 )
-from mechc.frozen import replace
 from mechc.report.latex.display import LINE_WIDTH, DisplayLine, display
 from mechc.report.latex.notation import name, notation, points, spellings
 from mechc.report.latex.printer import Boxes, box, latex, plain

@@ -7,12 +7,12 @@ import pytest
 
 import good_mechanisms
 import mechc
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.data_folders import data
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Symbol
-from mechc.frozen import replace
 from mechc.report.sentences.extents import extent_remarks
 from mechc.report.sentences.limits import limits, passed_by
 from mechc.report.sentences.remarks import remarks

@@ -4,7 +4,7 @@ import pytest
 
 import mechc
 from good_mechanisms import loaded
-from mechc.frozen import replace
+from mechc.base.frozen import replace
 from mechc.report.latex.notation import notation, translated
 
 

@@ -2,11 +2,11 @@
 
 import pytest
 
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation, emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.tree import number
-from mechc.frozen import replace
 from mechc.report.languages.registry import locale
 from mechc.report.sentences.powers import power_remarks
 from mechc.report.text.speller import speller

@@ -1,10 +1,10 @@
 """Long parts that a derivation has more than once, and speeds that it finds in vain."""
 
 from good_mechanisms import compiled
+from mechc.base.frozen import replace
 from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, product, quotient, total
-from mechc.frozen import replace
 from mechc.report.derivation.from_solution import without_unused
 from mechc.report.kinds import StepRule
 from mechc.report.made_names import MadeNames

@@ -8,7 +8,7 @@ from mechc.kinematics.graph import Relation, Rule
 from mechc.report.derivation.rules import involved
 from mechc.report.languages.registry import locale
 from mechc.report.latex.notation import notation
-from mechc.report.latex.numbers import LONGEST_DERIVATIVE, numbers
+from mechc.report.latex.values_at_pose import LONGEST_DERIVATIVE, numbers
 from mechc.study.analysis import Analysis, NumericSlope
 from mechc.units import FORCE, NUMBER
 from small_poses import HERE, graph, lever

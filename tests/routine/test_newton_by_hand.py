@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from mechc.base.frozen import replace
 from mechc.formula.numeric import newton
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol, System, negative, number, product, total
-from mechc.frozen import replace
 from mechc.routine.newton import eliminate, follow
 from mechc.routine.sharing import solver
 from mechc.routine.steps import Solver

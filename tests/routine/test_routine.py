@@ -9,13 +9,13 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from mechc.base.frozen import replace
 from mechc.emit.python.printer import PythonPrinter
 from mechc.formula.evaluate import evaluate as value_of
 from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Formula, Power, Product, degrees, number, product, total
 from mechc.formula.walk import walk
-from mechc.frozen import replace
 from mechc.model.mechanism import Mechanism, Require
 from mechc.model.result import Definition, Result
 from mechc.routine.evaluate import compute, evaluate

@@ -2,12 +2,12 @@
 
 import pytest
 
+from mechc.base.frozen import replace
 from mechc.formula.tree import ONE, Symbol
-from mechc.frozen import replace
 from mechc.model.mechanism import LoadForm, LoadRatio
 from mechc.model.parts.friction import Friction, PinFriction
 from mechc.model.result import Result
-from mechc.statics.cases import LoadCase, cases
+from mechc.statics.diagrams.load_cases import LoadCase, cases
 from mechc.units import FORCE, NUMBER
 from small_poses import HERE, force, lever
 

@@ -5,14 +5,14 @@ import pytest
 
 from by_hand import HERE, at, build, force, result, torque
 from mechc.algebra.product import Product
+from mechc.base.frozen import replace
 from mechc.diagnostics import Report
 from mechc.formula import tree as formula
-from mechc.frozen import replace
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadRatio
 from mechc.pose.pose import Arm
 from mechc.source import Source
-from mechc.statics.closure import worst_gap
+from mechc.statics.geometry_check import worst_gap
 from mechc.statics.referee import RefereeDisagrees, cross_check
 
 POINTS = {"O": (0, 0), "A": (1, 2), "B": (4, 3), "C": (5, 0)}

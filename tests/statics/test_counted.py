@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 import pytest
 
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.frozen import replace
 from mechc.pose.pose import Pose
 from mechc.source import Source
 from mechc.statics.counted import uncounted

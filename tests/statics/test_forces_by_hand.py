@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from mechc.frozen import replace
+from mechc.base.frozen import replace
 from mechc.model.mechanism import (
     Axial,
     Contact,
@@ -21,9 +21,9 @@ from mechc.pose.pose import PointContact
 from mechc.statics.actions import Actions
 from mechc.statics.assembly import AssembledBodies, Cylinder, Plane, PointForce, Transfer
 from mechc.statics.balanced import Balanced
-from mechc.statics.cases import sizes_of
 from mechc.statics.contacts import pulling
 from mechc.statics.counted import uncounted
+from mechc.statics.diagrams.load_cases import sizes_of
 from mechc.statics.equations import UnknownForce, equilibrium
 from mechc.statics.joint_forces import joint_force
 from mechc.statics.speeds import speed_ratio

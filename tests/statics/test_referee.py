@@ -5,6 +5,7 @@ from random import Random
 import pytest
 
 from by_hand import HERE, angle_of, build, force, geometries, in_numbers, result, torque
+from mechc.base.frozen import replace
 from mechc.cli.exit_status import status
 from mechc.compilation import Compilation
 from mechc.diagnostics import Diagnostic, Report
@@ -15,7 +16,6 @@ from mechc.diagnostics.statics import (
     pose_does_not_close,
 )
 from mechc.formula import tree as formula
-from mechc.frozen import replace
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadForm, LoadRatio, Speed, SpeedRatio
 from mechc.model.result import Result

@@ -10,8 +10,8 @@ import pytest
 import mechc
 from branchings import Flat, dyad, folding, four_bar, refuted, slider_crank, toggle, ways_on
 from mechc.api import SolvedMechanism
+from mechc.base.frozen import replace
 from mechc.diagnostics import MechcError
-from mechc.frozen import replace
 from mechc.study.stroke.extrema import parted
 from mechc.study.stroke.stroke import ZeroInterval
 from other_kinds import other, put_toggle

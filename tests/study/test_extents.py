@@ -8,10 +8,10 @@ import pytest
 
 from extents import along, curve, refuted
 from grown import Grown, wide, without_drive
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
 from mechc.formula.tree import Symbol
-from mechc.frozen import replace
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from mechc.study.analysis import Vanishing

@@ -10,10 +10,10 @@ import pytest
 from friction_chains import chain
 from friction_mechanisms import closed, opened
 from friction_statements import Ratios, as_given, printed, refuted, throughout
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
 from mechc.formula.tree import Symbol
-from mechc.frozen import replace
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from paths import LIBRARY

@@ -14,9 +14,9 @@ import plotted_marks
 from conclusions import is_rough, slopes
 from hunt import Outcome, looked_at, outcome, summary
 from hunted import KINDS, Hunted, Made, made
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.formula.tree import Call, Symbol, number, product, total
-from mechc.frozen import replace
 from mechc.model.result import Definition
 from mechc.plot.plot import Mark
 from mechc.plot.query import Query

@@ -4,8 +4,8 @@ import math
 
 import pytest
 
+from mechc.base.frozen import replace
 from mechc.formula.tree import Call, Symbol, System, implicit, negative, number, power, total
-from mechc.frozen import replace
 from mechc.model.mechanism import Parameter
 from mechc.study.expectations import _in_units
 from mechc.study.pose_sweep import NOT_ASSEMBLED, NOT_REACHED, why_open

@@ -6,10 +6,10 @@ from conclusions import refuted as followed
 from force_mechanisms import given
 from force_samples import pushing, tree_of
 from grown import Grown, swept
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
 from mechc.formula.to_text import text
-from mechc.frozen import replace
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from mechc.work import MOST_WORK

@@ -6,9 +6,9 @@ import pytest
 
 from grown import Grown, wide
 from hunted import Hunted, Made, made
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.frozen import replace
 from mechc.report.text.stroke import to_table
 from mechc.source import Source
 from mechc.study.stroke.stroke import Stroke

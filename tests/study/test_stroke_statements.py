@@ -7,9 +7,9 @@ import pytest
 import mechc
 from friction_mechanisms import small_closed
 from grown import Grown, wide
+from mechc.base.frozen import replace
 from mechc.compilation import Compilation
 from mechc.diagnostics import MechcError
-from mechc.frozen import replace
 from mechc.source import Source
 from mechc.study.analysis import DeadCentre
 from mechc.study.stroke.stroke import Singular

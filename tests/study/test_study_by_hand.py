@@ -13,13 +13,13 @@ from mechc.algebra.intervals import NumberInterval
 from mechc.algebra.product import ONE, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.base.frozen import replace
 from mechc.compilation import compile_source
 from mechc.diagnostics import Report
 from mechc.formula.evaluate import evaluate
 from mechc.formula.numeric.rounding import PrintedNumber
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, power, product, quotient, total
-from mechc.frozen import replace
 from mechc.model.mechanism import Drive, Efficiency, Find, LoadRatio, Require, WithFriction
 from mechc.model.result import Definition, Result
 from mechc.model.values import complete, default_pose

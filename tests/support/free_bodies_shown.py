@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from mechc.compilation import Compilation
 from mechc.pose.places import Plane
-from mechc.statics.diagram import Acting, Diagram, FreeBody
+from mechc.statics.diagrams.diagram import Acting, Diagram, FreeBody
 
 BALANCED = 1e-7
 """What sums may come to, as a part of the largest force and moment of all bodies together."""

@@ -7,7 +7,7 @@ from mechc.model.mechanism import Mechanism
 from mechc.pose.motion import Motion
 from mechc.report.steps import Derivation
 from mechc.routine.steps import Routine
-from mechc.statics.diagram import Diagram
+from mechc.statics.diagrams.diagram import Diagram
 from mechc.statics.verdict import Verdict
 
 

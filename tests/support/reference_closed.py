@@ -12,7 +12,7 @@ import numpy as np
 from mechc.formula.evaluate import evaluate as number
 from mechc.model.mechanism import Slot
 from mechc.pose.places import placed
-from mechc.statics import closure
+from mechc.statics import geometry_check
 from mechc.syntax import ast
 from mechc.syntax.vocabulary import points_of
 from reference_geometry import evaluate, every
@@ -199,7 +199,7 @@ def places(compilation, values):
     for name in compilation.pose.placeholders:
         full.setdefault(name, 0.1)
     pose = compilation.pose
-    edges = [*closure._links(pose, full), *closure._vectors(pose, full)]
+    edges = [*geometry_check._links(pose, full), *geometry_check._vectors(pose, full)]
     found = placed(edges)
     starts = {p: tuple(place.at) for p, place in found.items() if p}
     for slot in pose.mechanism.each(Slot):

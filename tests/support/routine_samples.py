@@ -6,6 +6,7 @@ from typing import Literal
 
 import good_mechanisms
 from known import Known
+from mechc.base.frozen import replace
 from mechc.data_folders import data
 from mechc.emit.target import Compiled
 from mechc.formula.tree import (
@@ -23,7 +24,6 @@ from mechc.formula.tree import (
     total,
 )
 from mechc.formula.walk import substitute
-from mechc.frozen import replace
 from mechc.model.mechanism import (
     Absolute,
     Force,

@@ -10,12 +10,12 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from mechc.base.frozen import replace
 from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Compiled, Options
 from mechc.formula.tree import Formula, Power, Symbol, product
 from mechc.formula.walk import children, rebuild
-from mechc.frozen import replace
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function, Input, Routine, Solve
 from mechc.units import LENGTH, NUMBER

@@ -6,7 +6,7 @@ vector are ``Toward``, a statement's optional fields keep the company they need.
 
 from hypothesis import strategies as st
 
-from mechc.frozen import fields
+from mechc.base.frozen import fields
 from mechc.source import Span
 from mechc.syntax import ast
 from mechc.syntax.vocabulary import FUNCTIONS, points_of

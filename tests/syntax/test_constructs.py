@@ -2,8 +2,8 @@
 
 import pytest
 
+from mechc.base.frozen import replace
 from mechc.diagnostics import Report
-from mechc.frozen import replace
 from mechc.source import Source, Span
 from mechc.syntax import ast, from_dsl, from_yaml
 from mechc.syntax.examples import WRITTEN

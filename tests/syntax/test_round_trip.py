@@ -5,8 +5,8 @@ import yaml
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
+from mechc.base.frozen import fields
 from mechc.diagnostics import Report
-from mechc.frozen import fields
 from mechc.source import Source
 from mechc.syntax import from_dsl, from_yaml
 from mechc.syntax.to_dsl import to_dsl

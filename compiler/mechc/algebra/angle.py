@@ -12,8 +12,8 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
+from ..base.frozen import Hashed, frozen
 from ..formula.tree import Formula, Symbol, degrees, number, product, total
-from ..frozen import Hashed, frozen
 
 Rational = int | Fraction
 """An exact rational, kept as ``int`` where it is one: Fractions are ten times slower."""

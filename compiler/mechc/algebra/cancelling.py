@@ -12,9 +12,9 @@ relations between constants, which leave the width as it is.
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from ..work import kept, spend
-from . import common_divisors, factoring, halving, laurent
+from . import common_divisors, factoring, laurent, sine_divisors
 from .angle import Angle, rational
 from .constants import is_constant, without_relations
 from .factors import Trig
@@ -134,9 +134,9 @@ def _with_divided_sum(product: Product) -> Iterator[Product]:
     for whole, e in product.factors.items():
         if isinstance(whole, Sum) and sum(map(laurent.size, whole.terms)) <= DIVIDED:
             opposite = [f for f, d in product.factors.items() if isinstance(f, Trig) and e * d < 0]
-            mentioned = halving.names_in(whole) if opposite else set()
-            for trig in (f for f in opposite if halving.turned_by(f) in mentioned):
-                if (split := halving.split_by(whole, trig)) is not None:
+            mentioned = sine_divisors.names_in(whole) if opposite else set()
+            for trig in (f for f in opposite if sine_divisors.turned_by(f) in mentioned):
+                if (split := sine_divisors.split_by(whole, trig)) is not None:
                     above = 1 if e > 0 else -1
                     yield without_parts(product * (split * Product(1, {whole: -1})) ** above)
 

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import gcd, isqrt, lcm
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from .cyclotomic import unique
 from .gcd import Poly, TooLongError, common, divided
 from .laurent import Polynomial, Ring

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from functools import lru_cache
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from ..work import spend
 from .angle import Angle, Rational, rational
 from .factors import Factor, Trig

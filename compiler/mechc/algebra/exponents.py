@@ -73,6 +73,10 @@ class Exponents:
         """Return the constant of a term's angle, in parts of 90°/``parts``."""
         return key & ((1 << self.low) - 1)
 
+    def without_constant(self, key: int) -> int:
+        """Return the exponents of a term, by which terms are in order, without the constant."""
+        return key >> self.low
+
     def split(self, key: int) -> tuple[int, int]:
         """Return the packed factors and the packed angle of a term."""
         width = self.low + self._bits * len(self._names)

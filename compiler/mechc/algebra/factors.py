@@ -5,10 +5,10 @@ from collections.abc import Hashable, Mapping
 from functools import lru_cache
 from typing import Any, Literal, Protocol
 
+from ..base.frozen import Hashed, frozen
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, Number, Pi, Symbol
 from ..formula.tree import Constant as ConstantFormula
-from ..frozen import Hashed, frozen
 from .angle import Angle
 from .modular import ModularPoint
 

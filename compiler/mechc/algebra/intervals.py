@@ -8,8 +8,8 @@ import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
+from ..base.named import NamedTuple
 from ..formula.tree import Call, Formula
-from ..named import NamedTuple
 from .angle import RADIAN, Angle
 from .factors import CIRCLE, ConstantSymbol, Factor, Length, Opaque, Trig
 from .from_formula import to_product

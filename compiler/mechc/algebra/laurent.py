@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd, lcm
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from ..work import spend
 from .angle import Angle, Rational, rational
 from .cyclotomic import Gaussian, GaussianDirections, accumulate, rotated, short, stars, unique
@@ -120,7 +120,7 @@ class Ring(Exponents):
         down, down_power = self.packed_angle(-trig.angle)
         if trig.function == "sin":
             up_power, down_power = up_power - 1, down_power + 1
-        if up >> self.low < down >> self.low:
+        if self.without_constant(up) < self.without_constant(down):
             return Binomial(down, down_power, up, up_power)
         return Binomial(up, up_power, down, down_power)
 
@@ -171,8 +171,9 @@ class Ring(Exponents):
     def _top(self, terms: Terms) -> Terms:
         """Take the terms with the highest exponents out of a sum."""
         spend(len(terms))
-        top = max(terms) >> self.low
-        return self.unique({k: terms.pop(k) for k in [k for k in terms if k >> self.low == top]})
+        top = self.without_constant(max(terms))
+        highest = [key for key in terms if self.without_constant(key) == top]
+        return self.unique({key: terms.pop(key) for key in highest})
 
     def _lowered(self, key: int, value: Gaussian, by: Binomial) -> tuple[int, Gaussian]:
         """Return a term divided by the leading term of a binomial."""

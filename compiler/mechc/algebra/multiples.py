@@ -12,7 +12,7 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from ..work import spend
 from . import factoring
 from .angle import QUARTER

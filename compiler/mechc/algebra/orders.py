@@ -16,14 +16,14 @@ from contextlib import suppress
 from fractions import Fraction
 from math import gcd, lcm
 
+from ..base.named import NamedTuple
 from ..formula.walk import symbols
-from ..named import NamedTuple
 from ..work import kept, spend
 from .angle import RADIAN, Angle, Rational
 from .factors import Factor, Length, Opaque, Trig
-from .halving import GenericValues
 from .modular import PARTS, PRIME, ModularPoint
 from .product import Product, Sum
+from .sine_divisors import GenericValues
 from .sums import BoundSum
 from .tolerances import PLAINLY_NOT_ZERO, POLE
 from .trigonometry import sine

@@ -11,8 +11,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
 
+from ..base.named import NamedTuple
 from ..formula.operations import count_operations
-from ..named import NamedTuple
 from . import factoring
 from .angle import QUARTER, Angle
 from .factors import Trig

@@ -1,6 +1,6 @@
 """What comes of a calculation sheet."""
 
-from ..frozen import frozen
+from ..base.frozen import frozen
 from ..model.mechanism import Require
 from ..model.result import Result
 from ..pose.pose import Pose

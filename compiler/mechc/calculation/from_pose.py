@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 
+from ..base.frozen import replace
 from ..diagnostics import Report
 from ..diagnostics import sheets as messages
 from ..diagnostics import uses as uses_messages
@@ -10,7 +11,6 @@ from ..formula.evaluate import evaluate
 from ..formula.numeric.rounding import Rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..model.mechanism import Mechanism, Require
 from ..model.result import ClosedLoop, Result, UsedSolution
 from ..model.results import failures

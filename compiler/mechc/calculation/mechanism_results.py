@@ -6,16 +6,16 @@
 
 from collections.abc import Iterator, Mapping
 
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..formula.evaluate import evaluate
 from ..formula.numeric.rounding import Rounding, beyond_rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..friction import at_rest
-from ..frozen import replace
 from ..model.mechanism import Mechanism, Parameter, Require, Subject
 from ..model.result import Definition, FrictionResult, Result, UsedSolution
 from ..model.values import Values, completed, holds, ordered, user_defined, valid_form
-from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..units import ANGLE
 

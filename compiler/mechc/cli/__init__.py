@@ -13,6 +13,6 @@ __all__ = ["console", "main"]
 
 TYPE_CHECKING = False
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     __getattr__ = waiting(__name__, {"by_click", "opening", "store_answers"})

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.shell_completion import CompletionItem
 
+from ..base.frozen import replace
 from ..diagnostics import near_miss
-from ..frozen import replace
 from ..version import VERSION
 from . import session
 from .commands import COMMANDS, found

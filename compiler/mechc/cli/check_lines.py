@@ -5,13 +5,14 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..compilation import Compilation
 from ..diagnostics import Diagnostic, Severity
 from ..formula.evaluate import evaluate
 from ..formula.rewriting import plus_first
 from ..formula.to_text import text, text_in_degrees
 from ..formula.tree import ZERO, Constant, Formula, Number
-from ..frozen import replace
 from ..model.mechanism import (
     GRAVITY,
     LoadForm,
@@ -22,7 +23,6 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Definition, Result
-from ..named import NamedTuple
 from ..report import directions
 from ..report.definitions import (
     NameLetters,

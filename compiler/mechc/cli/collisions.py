@@ -8,8 +8,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TextIO
 
+from ..base.named import NamedTuple
 from ..files import resolved
-from ..named import NamedTuple
 from . import usage
 
 FileKey = tuple[object, ...]

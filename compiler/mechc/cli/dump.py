@@ -14,20 +14,20 @@ from typing import Any
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
+from ..base.frozen import REQUIRED, fields
+from ..base.later import pattern
+from ..base.named import NamedTuple
+from ..base.string_enum import Word
 from ..emit.describe import dimension_name
 from ..figure.figure import Plane
 from ..formula.to_text import text
 from ..formula.tree import Formula
-from ..frozen import REQUIRED, fields
-from ..later import pattern
-from ..named import NamedTuple
 from ..report.text.character_sets import ASCII
 from ..report.text.printer import print_formula
 from ..source import Span
 from ..syntax import ast
 from ..syntax.text import direction
 from ..units import Dimension, si_unit
-from ..words import Word
 
 DUMP_COLUMNS = 100
 """Columns that a value on one line keeps to; a formula is never broken."""

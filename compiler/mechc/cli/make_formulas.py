@@ -8,10 +8,10 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
+from ..base.named import NamedTuple
 from ..compilation import Compilation
 from ..data_folders import data
 from ..files import library, mechanisms, read, write_all
-from ..named import NamedTuple
 from .make_gallery import HEADING as PICTURES
 
 SHEETS = "## Calculation sheets\n"

@@ -3,10 +3,10 @@
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from ..base.later import pattern
+from ..base.named import NamedTuple
 from ..emit import registry
 from ..emit.target import Emitted
-from ..later import pattern
-from ..named import NamedTuple
 from . import usage
 
 SPECIAL = pattern(r"(\\*)([ #:])")

@@ -6,8 +6,8 @@ from contextvars import ContextVar
 from typing import Any, Literal, TypeVar
 
 from .. import events
+from ..base.frozen import frozen, replace
 from ..diagnostics import Diagnostic, MechcError, render
-from ..frozen import frozen, replace
 from ..source import Source
 from .exit_status import WRONG, status
 from .find_answers import OFF

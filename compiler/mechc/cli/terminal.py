@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     import click
 else:
-    from ..later import Later
+    from ..base.later import Later
 
     click, shutil = Later("click"), Later("shutil")
 

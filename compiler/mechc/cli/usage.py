@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, Literal, TypeVar
 
+from ..base.frozen import field, frozen
+from ..base.named import NamedTuple
 from ..files import library
-from ..frozen import field, frozen
-from ..named import NamedTuple
 
 F = TypeVar("F", bound=Callable[..., Any])
 

@@ -30,10 +30,10 @@ __all__ = [
 ]
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     WORDS = {
-        *("closures", "drawing", "drawn_places", "emission", "equilibrium", "expectations"),
+        *("assembly_lines", "drawing", "drawn_places", "emission", "equilibrium", "expectations"),
         *("files", "friction", "joining", "kinematics", "open_loops", "plot", "pose"),
         *("power", "reactions", "sheets", "statics", "stroke", "syntax", "syntax_limits"),
         *("syntax_yaml", "uses"),

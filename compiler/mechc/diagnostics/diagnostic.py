@@ -10,16 +10,16 @@ from collections.abc import Callable, Iterable
 from functools import wraps
 from typing import TYPE_CHECKING, ParamSpec
 
-from ..frozen import frozen, replace
-from ..named import NamedTuple
+from ..base.frozen import frozen, replace
+from ..base.named import NamedTuple
+from ..base.string_enum import Word
 from ..source import Source, Span
-from ..words import Word
 
 if TYPE_CHECKING:
     import difflib
     import inspect
 else:
-    from ..later import Later
+    from ..base.later import Later
 
     difflib, inspect = Later("difflib"), Later("inspect")
 

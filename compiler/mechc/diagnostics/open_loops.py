@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Sequence
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from ..source import Span
 from ..units import ANGLE, Dimension
 from .diagnostic import Message, coded

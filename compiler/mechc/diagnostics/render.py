@@ -19,7 +19,7 @@ from .diagnostic import Diagnostic, Severity
 if TYPE_CHECKING:
     import click
 else:
-    from ..later import Later
+    from ..base.later import Later
 
     click = Later("click")
 

@@ -4,10 +4,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Literal, assert_never
 
-from ..frozen import replace
+from ..base.frozen import replace
 from ..pose.places import Plane
-from .drawing import SYMBOL, Arc, Drawing, Label, Polyline, Shape, TextRun
+from .drawing import Arc, Drawing, Label, Polyline, Shape, TextRun
 from .lettering import SIZE, text_size
+from .pens import SYMBOL
 
 WIDE = 180.0
 """How wide a row may become, in millimetres."""

@@ -6,8 +6,9 @@ from itertools import combinations
 from ..figure.figure import Contact, Figure, Link, Slide, Telescope
 from ..figure.outline import outline
 from ..pose.places import Plane
-from .drawing import BODY, Polyline, Shape
+from .drawing import Polyline, Shape
 from .paper import Paper
+from .pens import BODY
 from .symbols import corner, cylinder, line
 from .tolerances import ON_EDGE
 

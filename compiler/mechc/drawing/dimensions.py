@@ -3,14 +3,15 @@
 import math
 from collections.abc import Iterable, Iterator
 
+from ..base.named import NamedTuple
 from ..figure.figure import AngleMark, DimensionLine, Link, Telescope
-from ..named import NamedTuple
 from ..pose.places import Plane, direction
 from .bodies import bars_at
-from .drawing import MEASURE, Arc, Polyline, Shape
+from .drawing import Arc, Polyline, Shape
 from .labels import AlongArc, BesideLine, above
 from .lettering import formula
 from .paper import Paper
+from .pens import MEASURE
 from .sheet import Layer, Sheet
 from .symbols import head, line, off
 from .tolerances import DETOUR, SHORTEST_LINE

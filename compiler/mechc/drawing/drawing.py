@@ -3,33 +3,14 @@
 import math
 from typing import Literal
 
-from ..frozen import frozen
-from ..named import NamedTuple
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..pose.places import Plane as Plane
+from .pens import Pen
 
 Fill = Literal["", "white", "light", "solid"]
 """What is inside a closed shape: nothing, paper, a tint, the colour of its pen."""
 
-
-class Pen(NamedTuple):
-    """How a line is drawn: its width and dashes in millimetres, its colour as ``#rrggbb``."""
-
-    name: str
-    width: float
-    colour: str = "#000000"
-    dashes: tuple[float, ...] = ()
-
-
-BODY = Pen("body", 0.7)
-SYMBOL = Pen("symbol", 0.35)
-HATCH = Pen("hatch", 0.18)
-AXIS = Pen("axis", 0.18, "#777777", (3.0, 0.8, 0.4, 0.8))
-MEASURE = Pen("measure", 0.18, "#1f4e79")
-FORCE = Pen("force", 0.5, "#b00020")
-VELOCITY = Pen("velocity", 0.5, "#15803d")
-RELATIVE = Pen("relative", 0.35, "#1f4e9e")
-COPY = Pen("copy", 0.35, "#aaaaaa")
-PENS = (BODY, SYMBOL, HATCH, AXIS, MEASURE, FORCE, VELOCITY, RELATIVE, COPY)
 
 ARC_STEP = math.radians(10)
 """How far apart the points are by which the way of an arc is looked at."""

@@ -4,10 +4,11 @@ import math
 from collections.abc import Sequence
 
 from ..pose.places import NOWHERE, Plane
-from ..statics.diagram import Acting, FreeBody
-from .drawing import FORCE, HATCH, Drawing
+from ..statics.diagrams.diagram import Acting, FreeBody
+from .drawing import Drawing
 from .labels import BesideLine
 from .occupied import LineSegment
+from .pens import FORCE, HATCH
 from .sheet import Layer, Sheet
 from .symbols import arrow, line
 from .vectors import ForceVectors

@@ -3,17 +3,18 @@
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from ..base.frozen import frozen, replace
 from ..figure.figure import Figure, Link, Slide, Slider, Telescope
-from ..frozen import frozen, replace
 from ..pose.places import NOWHERE, Plane, direction
-from ..statics.diagram import AT_PINS, Acting, Diagram, FreeBody
+from ..statics.diagrams.diagram import AT_PINS, Acting, Diagram, FreeBody
 from . import symbols
 from .arrange import below_each_other, in_rows, joined, line_of_text
 from .bodies import link, slide
-from .drawing import AXIS, FORCE, SYMBOL, Arc, Drawing, Shape, TextRun
+from .drawing import Arc, Drawing, Shape, TextRun
 from .labels import AroundPoint, BesideLine
 from .lettering import name
 from .paper import Paper, on_paper
+from .pens import AXIS, FORCE, SYMBOL
 from .sheet import Layer, Sheet
 from .symbols import LARGEST_ARROW, SHORTEST_ARROW, off
 from .vectors import ForceVectors, heading, in_words

@@ -10,7 +10,7 @@ from . import symbols
 from .bodies import bars_at, link, slide, telescope
 from .describe import describe
 from .dimensions import draw_measures
-from .drawing import AXIS, COPY, SYMBOL, Drawing, Polyline, Shape
+from .drawing import Drawing, Polyline, Shape
 from .joints import draw_slide_guides, joint, pins
 from .labels import AroundPoint
 from .lettering import name
@@ -18,6 +18,7 @@ from .loads import draw_forces, draw_pairs, meets
 from .moving import NO_MARKS, Marks, draw_marks, say_marks
 from .occupied import Occupied
 from .paper import Paper, on_paper
+from .pens import AXIS, COPY, SYMBOL
 from .sheet import Layer, Sheet
 
 MIRROR_LINE_BEYOND = 4.0

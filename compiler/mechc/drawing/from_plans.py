@@ -3,20 +3,21 @@
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from ..base.frozen import replace
 from ..figure.figure import Figure
 from ..figure.velocities import MotionVelocities
-from ..frozen import replace
 from ..pose.places import NOWHERE, Plane
-from ..statics.diagram import Diagram, FreeBody
+from ..statics.diagrams.diagram import Diagram, FreeBody
 from .arrange import below_each_other, in_rows, joined, line_of_text
 from .describe import say_forces, say_velocities
-from .drawing import SYMBOL, Drawing, TextRun
+from .drawing import Drawing, TextRun
 from .force_polygon import force_polygon, force_scale, is_known, visible
 from .labels import AroundPoint
 from .lettering import name
+from .pens import SYMBOL
+from .plots.ticks import TICK_STEPS
 from .sheet import Layer, Sheet
 from .symbols import line
-from .ticks import TICK_STEPS
 from .tolerances import SAME_WHOLE_NUMBER
 from .vectors import ForceVectors, VelocityVectors, heading
 from .velocity_polygon import velocity_polygon, velocity_scale

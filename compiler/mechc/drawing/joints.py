@@ -25,8 +25,9 @@ from ..figure.figure import (
 from ..pose.places import Plane
 from . import symbols
 from .bodies import ROLLER, faces_of, wedge
-from .drawing import AXIS, BODY, SYMBOL, Arc, Polyline, Shape
+from .drawing import Arc, Polyline, Shape
 from .paper import Paper
+from .pens import AXIS, BODY, SYMBOL
 from .sheet import Layer, Sheet
 from .symbols import BLOCK, PIN, line, off
 from .tolerances import ON_AXIS

@@ -4,12 +4,13 @@ import math
 from collections.abc import Iterator
 from itertools import count, product
 
-from ..frozen import frozen
-from ..named import NamedTuple
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..pose.places import Plane, direction
-from .drawing import HATCH, Arc, Label, Pen, Polyline, TextRun
+from .drawing import Arc, Label, Polyline, TextRun
 from .lettering import SIZE, text_size
 from .occupied import Occupied, Rectangle, stretches
+from .pens import HATCH, Pen
 from .tolerances import HORIZONTAL
 
 TURNS, TURNS_FAR = 16, 64

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable
 
+from ..base.frozen import replace
 from ..formula.letters import LATIN, Letters, lettered, of_unit
-from ..frozen import replace
 from .drawing import Drawing, TextRun
 from .lettering import name
 

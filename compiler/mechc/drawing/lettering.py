@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import groupby
 
+from ..base.later import pattern
 from ..formula.names import (
     GREEK,
     JointForceName,
@@ -13,7 +14,6 @@ from ..formula.names import (
     split_points,
     split_ratio,
 )
-from ..later import pattern
 from ..units import LENGTH, UNITS
 from .drawing import TextRun
 from .tolerances import ONE

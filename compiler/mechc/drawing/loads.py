@@ -11,12 +11,13 @@ from ..figure.figure import (
     Torque,
 )
 from ..pose.places import Plane
-from .drawing import FORCE, SYMBOL, VELOCITY, Arc
+from .drawing import Arc
 from .joints import reach
 from .labels import AlongArc, BesideLine
 from .lettering import name, times
 from .occupied import LineSegment, Occupied
 from .paper import Paper
+from .pens import FORCE, SYMBOL, VELOCITY
 from .sheet import Layer, Sheet
 from .symbols import (
     ARROW,

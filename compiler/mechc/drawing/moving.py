@@ -4,17 +4,18 @@ import math
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..figure.figure import Link
 from ..figure.tolerances import NO_SPEED
 from ..figure.velocities import MotionVelocities
 from ..formula.names import split_points
-from ..frozen import frozen
-from ..named import NamedTuple
 from ..pose.places import Plane
 from . import symbols
-from .drawing import AXIS, FORCE, SYMBOL, VELOCITY, Arc, TextRun
+from .drawing import Arc, TextRun
 from .labels import AroundPoint
 from .paper import Paper
+from .pens import AXIS, FORCE, SYMBOL, VELOCITY
 from .sheet import Layer, Sheet
 from .vectors import VelocityVectors, index
 

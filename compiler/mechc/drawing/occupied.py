@@ -5,7 +5,8 @@ import math
 from collections.abc import Iterable, Iterator
 
 from ..pose.places import Plane
-from .drawing import AXIS, COPY, HATCH, Arc, Pen, Shape
+from .drawing import Arc, Shape
+from .pens import AXIS, COPY, HATCH, Pen
 from .tolerances import ALONG_AXIS
 
 CELL = 5.0
@@ -135,7 +136,7 @@ def _squares(start: Plane, end: Plane) -> set[Square]:
 
 def _meet(one: LineSegment, other: LineSegment) -> bool:
     """Return whether two straight lines cross, or lie on each other."""
-    return _side_by_side(one, other) and _reaches(one, other) and _reaches(other, one)
+    return _boxes_touch(one, other) and _reaches(one, other) and _reaches(other, one)
 
 
 def _lie_on_each_other(one: LineSegment, other: LineSegment) -> bool:
@@ -151,7 +152,7 @@ def _lie_on_each_other(one: LineSegment, other: LineSegment) -> bool:
     return low < math.dist(start, end) - TOUCH and high > TOUCH
 
 
-def _side_by_side(one: LineSegment, other: LineSegment) -> bool:
+def _boxes_touch(one: LineSegment, other: LineSegment) -> bool:
     """Return whether the upright rectangles around two straight lines touch."""
     ((ax, ay), (bx, by)), ((cx, cy), (dx, dy)) = one, other
     return (

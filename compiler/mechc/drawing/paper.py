@@ -3,8 +3,8 @@
 import math
 from collections.abc import Iterator
 
+from ..base.frozen import frozen
 from ..figure.figure import Belt, Figure, Gears, Link, Rack, Segment
-from ..frozen import frozen
 from ..pose.places import Plane
 from .tolerances import NO_BAR, NO_EXTENT
 

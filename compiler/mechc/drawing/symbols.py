@@ -4,7 +4,8 @@ import math
 from collections.abc import Iterator
 
 from ..pose.places import Plane, direction
-from .drawing import AXIS, BODY, FORCE, HATCH, SYMBOL, Arc, Pen, Polyline, Shape
+from .drawing import Arc, Polyline, Shape
+from .pens import AXIS, BODY, FORCE, HATCH, SYMBOL, Pen
 
 PIN = 1.3
 """The radius of a pin."""

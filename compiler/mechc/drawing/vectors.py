@@ -3,11 +3,11 @@
 import math
 from collections.abc import Iterator, Mapping
 
+from ..base.frozen import frozen
 from ..figure.figure import Figure, Link, Slide, Torque
 from ..figure.tolerances import NO_SPEED
 from ..figure.velocities import MotionVelocities
-from ..frozen import frozen
-from ..statics.diagram import Acting, Diagram, FreeBody
+from ..statics.diagrams.diagram import Acting, Diagram, FreeBody
 from ..units import UNITS
 from .drawing import TextRun
 from .lettering import enumerated, lowered, measured, name, times

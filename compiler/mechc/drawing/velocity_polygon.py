@@ -4,15 +4,16 @@ import math
 from collections.abc import Iterator
 from itertools import combinations
 
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..figure.figure import Contact, Figure, Link, Slide, Slot, Telescope
 from ..figure.velocities import MotionVelocities
 from ..formula.names import split_points
-from ..frozen import frozen
-from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane
-from .drawing import RELATIVE, SYMBOL, VELOCITY, Arc, Drawing, Pen, TextRun
+from .drawing import Arc, Drawing, TextRun
 from .labels import AroundPoint, BesideLine
 from .lettering import enumerated, name
+from .pens import RELATIVE, SYMBOL, VELOCITY, Pen
 from .sheet import Layer, Sheet
 from .symbols import arrow
 from .vectors import VelocityVectors, index

@@ -3,11 +3,11 @@
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+from ..base.frozen import frozen
 from ..drawing.drawing import Drawing
 from ..drawing.language_letters import in_letters
 from ..files import write_all
 from ..formula.letters import LATIN, Letters
-from ..frozen import frozen
 from ..plot.plot import Plot
 from .pgfplots.to_pgfplots import to_pgfplots
 from .plot_tables import to_csv, to_xlsx

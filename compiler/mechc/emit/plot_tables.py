@@ -9,7 +9,7 @@ from typing import Any
 
 from ..diagnostics import MechcError
 from ..diagnostics.drawing import no_library
-from ..drawing.describe_plot import shown as in_words
+from ..drawing.plots.describe_plot import shown as in_words
 from ..plot.plot import Plot, PlotColumn
 
 _IN_ASCII = {"−": "-", "°": " deg", "·": "*", "²": "^2", "³": "^3"}

@@ -9,9 +9,9 @@ from collections.abc import Iterable
 from importlib import import_module
 from typing import TYPE_CHECKING, cast
 
+from ..base.named import NamedTuple
 from ..diagnostics import emission as messages
 from ..diagnostics.diagnostic import MechcError, Report
-from ..named import NamedTuple
 from .target import Target
 
 if TYPE_CHECKING:

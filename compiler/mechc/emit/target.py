@@ -6,8 +6,8 @@ Targets are found by name; third parties add theirs through the entry-point grou
 
 from typing import TYPE_CHECKING, Protocol
 
+from ..base.named import NamedTuple
 from ..model.mechanism import Mechanism
-from ..named import NamedTuple
 from ..statics.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ..pose.motion import Motion
     from ..report.steps import Derivation
     from ..routine.steps import Routine
-    from ..statics.diagram import Diagram
+    from ..statics.diagrams.diagram import Diagram
     from ..study.stroke.stroke import Stroke
 
 

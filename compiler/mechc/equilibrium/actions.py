@@ -7,14 +7,14 @@ from ..algebra.factors import Opaque
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..formula.tree import Call
-from ..frozen import frozen
 from ..model.mechanism import (
     Link,
     Mechanism,
     Slide,
 )
-from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector, components, reverse
 from .equilibrium import EquilibriumSum, LoadTerms
 

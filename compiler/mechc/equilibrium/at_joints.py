@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import ONE, Product
 from ..algebra.trigonometry import cosine
-from ..frozen import replace
+from ..base.frozen import replace
 from ..kinematics.joint_refs import held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Reaction
 from ..model.parts.targets import ResultTarget

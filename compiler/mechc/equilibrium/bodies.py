@@ -10,8 +10,8 @@ there are such parts.
 from collections.abc import Iterable, Iterator, Mapping
 
 from ..algebra.angle import Angle
+from ..base.named import NamedTuple
 from ..model.mechanism import Mechanism
-from ..named import NamedTuple
 from ..pose.pose import Pose, Vector
 from .actions import Action, Cutting, FreeBody, cutting, lines_of
 from .equilibrium import JointForce

@@ -10,9 +10,9 @@ from typing import Literal
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..frozen import frozen
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..model.parts.targets import ForceAtJoint, ResultTarget
-from ..named import NamedTuple
 
 JointForceKind = Literal[
     "rod", "pivot", "pin", "guide", "contact", "rim", "rack", "thread", "rope", "couple"

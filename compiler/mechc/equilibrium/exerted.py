@@ -9,6 +9,7 @@ from ..algebra.angle import HALF_TURN, QUARTER, Angle, rational
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
+from ..base.named import NamedTuple
 from ..formula.tree import PI
 from ..formula.walk import symbols
 from ..model.mechanism import (
@@ -24,7 +25,6 @@ from ..model.mechanism import (
     Slot,
     WheelPair,
 )
-from ..named import NamedTuple
 from ..pose.pose import Arm, PointContact, Vector, gathered
 from ..power.loads import owners
 from ..power.numbers import pose_values

@@ -9,9 +9,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ..algebra.matrices import determinant, numeric_rank, with_column
 from ..algebra.product import ZERO
 from ..algebra.sums import add
+from ..base.frozen import frozen
 from ..formula.operations import count_operations
 from ..formula.walk import symbols
-from ..frozen import frozen
 from ..work import spend
 from .equilibrium import EquilibriumStep, EquilibriumSum, FoundForce
 

@@ -7,9 +7,9 @@ counter-clockwise from +x.
 
 from collections.abc import Mapping
 
-from ..frozen import frozen, replace
+from ..base.frozen import frozen, replace
+from ..base.named import NamedTuple
 from ..model.values import UsualUnits
-from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 
 

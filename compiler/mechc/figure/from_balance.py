@@ -3,8 +3,8 @@
 import math
 from collections.abc import Iterator, Mapping
 
+from ..base.frozen import frozen, replace
 from ..formula.evaluate import evaluate
-from ..frozen import frozen, replace
 from ..model.mechanism import Torque
 from ..model.values import Chain
 from ..pose.motion import Motion

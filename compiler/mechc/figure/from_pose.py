@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import assert_never
 
+from ..base.frozen import fields, replace
 from ..formula.evaluate import evaluate
 from ..formula.walk import symbols
-from ..frozen import fields, replace
 from ..model import mechanism as model
 from ..model.mechanism import Mechanism, Parameter
 from ..model.parts.linkage import primed

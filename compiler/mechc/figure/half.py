@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator, Mapping
 
 from ..algebra.angle import Angle
+from ..base.frozen import frozen
 from ..formula.tree import Formula
-from ..frozen import frozen
 from ..model.parts.linkage import primed
 from ..pose.places import Plane, direction
 from .figure import MirrorLine, Segment

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import assert_never
 
-from ..frozen import replace
+from ..base.frozen import replace
 from ..model import mechanism as model
 from ..pose.places import Plane, direction
 from ..pose.pose import PointContact

@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
-from ..frozen import frozen
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..model.mechanism import Force, Mechanism, Pivot, Slider
-from ..named import NamedTuple
 from ..pose.places import NOWHERE, KnownVector, Plane, between, placed
 from .figure import MirrorLine
 from .joints import loose_vectors

@@ -7,7 +7,7 @@ which every length is as near to a usual one as can be, and none is turned round
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from .linear_vectors import DrawnVector, Linear
 from .tolerances import DEPENDENT, SAME_LENGTH
 

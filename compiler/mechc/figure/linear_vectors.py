@@ -8,10 +8,10 @@ import math
 from collections.abc import Iterator, Mapping
 
 from ..algebra.angle import Angle
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..formula.walk import symbols
-from ..frozen import frozen
 from ..model.mechanism import Rack, Slider
-from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane, direction
 from ..pose.pose import PointContact, Pose, Vector, evaluate_vector
 

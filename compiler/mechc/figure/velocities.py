@@ -7,11 +7,11 @@ that is described. Angular velocities are counter-clockwise.
 import math
 from collections.abc import Iterator, Mapping
 
-from ..frozen import frozen
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..kinematics.graph import Velocity
 from ..kinematics.plan import Plan, SpeedFactors
 from ..model.values import Values
-from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane, direction
 from .figure import Contact, Figure, Link, Slot
 

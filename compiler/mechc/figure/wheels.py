@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from ..pose.places import NOWHERE, Plane
 from .figure import Segment
 from .tolerances import PARALLEL

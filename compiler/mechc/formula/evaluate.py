@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, assert_never
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from ..work import MOST_WORK, Allowance, at_most, spend
 from . import derivative
 from .choices import chosen
@@ -30,7 +30,8 @@ from .walk import substitute, symbols
 
 if TYPE_CHECKING:
     from .numeric.elimination import Matrix
-    from .numeric.newton import Bordered, NewtonStatus, Residuals, Way
+    from .numeric.newton import Bordered, Residuals, Way
+    from .numeric.newton_status import NewtonStatus
 
 SYSTEMS, SOLUTIONS = 256, 1024
 """Of so many systems the code is kept, of each so many solutions: several results share them."""

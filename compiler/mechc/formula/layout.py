@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable, Set
 from fractions import Fraction
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from .names import split_name
 from .tree import (
     Call,

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Protocol
 
-from ..later import pattern
-from ..named import NamedTuple
+from ..base.later import pattern
+from ..base.named import NamedTuple
 
 _BEHIND_A_NUMBER = pattern(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[²³]?[*·/^][A-Za-z0-9]+)*")
 _WORD = pattern(r"[^\W\d_]+")

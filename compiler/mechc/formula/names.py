@@ -7,8 +7,8 @@
 import re
 from functools import lru_cache
 
-from ..later import pattern
-from ..named import NamedTuple
+from ..base.later import pattern
+from ..base.named import NamedTuple
 
 _SMALL = """
 alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho

@@ -19,7 +19,7 @@ from fractions import Fraction
 from math import prod
 from typing import TypeGuard
 
-from ..frozen import Hashed, frozen
+from ..base.frozen import Hashed, frozen
 
 
 @frozen

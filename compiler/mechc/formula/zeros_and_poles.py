@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from .evaluate import evaluate
 from .layout import has_minus, in_degrees
 from .tree import (

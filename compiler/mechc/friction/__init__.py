@@ -13,7 +13,7 @@ number; every name, in guards and conditions too, is defined, and means one thin
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     SELDOM = {"at_rest", "closed_forces", "joint_forces", "linear", "problem", "results"}
     __getattr__ = waiting(__name__, SELDOM)

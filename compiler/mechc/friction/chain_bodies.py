@@ -11,10 +11,10 @@ from ..algebra.angle import HALF_TURN, QUARTER, Angle
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
-from ..frozen import frozen
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..kinematics.joint_refs import JointRef
 from ..model.mechanism import Link, Load, Mechanism, Mesh, PinFriction, Rack, Torque
-from ..named import NamedTuple
 from ..pose.pose import Arm, PointContact, Pose, Vector, gathered
 from ..power.loads import occurrences
 from ..power.reactions import Reactions

@@ -11,14 +11,14 @@ from ..algebra.angle import QUARTER, Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Sum, Symbol, negative, total
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..kinematics.joint_refs import JointRef, members
 from ..model.mechanism import ForceAtJoint, Reaction
 from ..model.result import Definition
-from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector
 from ..power.definitions import bound_names
 from ..power.joint_forces import component, joint_of, line_of, size_of_two

@@ -8,11 +8,11 @@ from typing import Protocol
 from ..algebra.factors import Factor, Trig
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add, canonical
+from ..base.frozen import frozen
 from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
 from ..formula.tree import Formula, number, product, total
 from ..formula.walk import Substitution, symbols
-from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box, with_angles
 from ..model.result import Definition

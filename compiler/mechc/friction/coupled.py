@@ -31,6 +31,8 @@ small against it, where links lie on a line, and would be rounding.
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..formula.names import another
 from ..formula.tree import (
     ONE,
@@ -45,9 +47,7 @@ from ..formula.tree import (
     quotient,
     total,
 )
-from ..frozen import frozen
 from ..model.result import Definition
-from ..named import NamedTuple
 from .friction_pairs import Component, LoadedPair
 from .naming import ForceSizes
 from .signs.senses import sense_of

@@ -13,10 +13,10 @@ from ..algebra.intervals import IntervalBox, sign
 from ..algebra.product import ONE, Product
 from ..algebra.sums import canonical
 from ..algebra.trigonometry import cosine, sine
+from ..base.frozen import on_demand, replace
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Power, Symbol, is_call, number, product, quotient
 from ..formula.walk import symbols, walk
-from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box
 from ..model.mechanism import Mechanism, Require, Sense

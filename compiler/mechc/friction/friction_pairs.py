@@ -9,8 +9,9 @@ from typing import assert_never
 
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
+from ..base.frozen import field, frozen
+from ..base.named import NamedTuple
 from ..formula.tree import Formula, product
-from ..frozen import field, frozen
 from ..kinematics import contacts
 from ..kinematics.joint_refs import JointRef, contact_at, members
 from ..kinematics.plan import Plan, SpeedFactors
@@ -28,7 +29,6 @@ from ..model.mechanism import (
     WheelFriction,
     coulomb,
 )
-from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..power.joint_forces import guiding
 from . import slips

@@ -4,12 +4,12 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, assert_never
 
+from ..base.frozen import replace
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..diagnostics import power as power_messages
 from ..formula.numeric.rounding import PrintedNumber
 from ..formula.tree import ZERO, Formula, Symbol
-from ..frozen import replace
 from ..model.mechanism import (
     Axial,
     Efficiency,

@@ -13,12 +13,12 @@ from ..algebra.from_formula import to_product
 from ..algebra.product import ONE as UNIT
 from ..algebra.product import ZERO, Product, Sum
 from ..algebra.sums import add, canonical
+from ..base.named import NamedTuple
 from ..formula.operations import count_operations
 from ..formula.tree import ONE, Formula, Symbol, negative, number, product, total
 from ..formula.tree import ZERO as NONE
 from ..model.mechanism import Mechanism
 from ..model.result import Definition, Result
-from ..named import NamedTuple
 from ..power.joint_forces import size_of, size_of_two
 from ..power.magnitudes import even, magnitude
 from .closed_form import DefinedFormula, PrintedFormula, power, readable

@@ -18,6 +18,7 @@ from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
 from ..algebra.product import ONE, Product, Sum
 from ..algebra.sums import add
+from ..base.named import NamedTuple
 from ..formula.tree import (
     Call,
     Formula,
@@ -30,7 +31,6 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import substitute
-from ..named import NamedTuple
 from ..power.magnitudes import root
 from .chain_bodies import Arms, BodyForce, EquationsCoupled
 from .signs.names import SignSymbols

@@ -9,9 +9,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ..algebra.from_formula import to_product
 from ..algebra.sums import canonical
+from ..base.frozen import frozen
 from ..formula.tree import Call, Formula, Symbol
 from ..formula.walk import Substitution, substitute, symbols
-from ..frozen import frozen
 from ..model.mechanism import Sense
 from ..model.parts.targets import HOLDING
 from ..model.result import Definition

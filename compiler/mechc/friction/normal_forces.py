@@ -13,10 +13,10 @@ from random import Random
 from ..algebra.from_formula import to_product
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
+from ..base.frozen import on_demand, replace
 from ..formula.numeric.rounding import Rounding
 from ..formula.tree import Formula
 from ..formula.walk import substitute, symbols
-from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Torque
 from ..model.values import completed, defaults, following, independent

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
+from ..base.named import NamedTuple
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import friction as messages
 from ..diagnostics import reactions as reaction_messages
@@ -23,7 +24,6 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Definition, Result
-from ..named import NamedTuple
 from ..power.balance import Balance, PowerEquations
 from ..power.definitions import bound_sums
 from ..power.loads import given_size

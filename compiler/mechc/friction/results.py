@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
+from ..base.frozen import on_demand, replace
 from ..formula.tree import ZERO, Formula
 from ..formula.walk import reached, symbols
-from ..frozen import on_demand, replace
 from ..model.boxes import allowed_box, with_angles
 from ..model.mechanism import (
     Efficiency,

@@ -5,8 +5,8 @@ A result with friction is given with the steps by which friction was put into it
 
 from typing import Literal
 
+from ..base.frozen import frozen
 from ..formula.tree import Formula
-from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.result import Definition, FrictionResult, Result
 from ..power.balance import AlgebraicResult, Balance

@@ -3,9 +3,9 @@
 from ..algebra.angle import HALF_TURN
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
+from ..base.named import NamedTuple
 from ..kinematics.joint_refs import JointRef, held_end
 from ..model.mechanism import Link, Rack
-from ..named import NamedTuple
 from ..pose.pose import PointContact
 from ..power.definitions import bound_names
 from .chain_bodies import Bodies, EquationsCoupled

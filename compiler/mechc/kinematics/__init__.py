@@ -10,7 +10,7 @@ is decided exactly, in a finite field (``algebra.modular``): no tolerance is in 
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     SELDOM = {"locked"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -9,11 +9,11 @@ from collections.abc import Mapping
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..frozen import frozen
-from ..named import NamedTuple
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
+from ..base.string_enum import Word
 from ..pose.pose import Pose
 from ..source import Span
-from ..words import Word
 
 
 class SpeedKind(Word):

@@ -2,8 +2,8 @@
 
 from typing import Literal
 
+from ..base.named import NamedTuple
 from ..model.mechanism import Link, Mechanism, WheelPair
-from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose
 
 

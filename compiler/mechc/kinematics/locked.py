@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 
-from ..algebra.blocks import blocks, match
+from ..algebra.solution_order import blocks, match
+from ..base.named import NamedTuple
 from ..model.mechanism import Mechanism, Meshing
-from ..named import NamedTuple
 from ..source import Span
 from .graph import Graph, Relation, Rule, SpeedKind
 

@@ -7,8 +7,8 @@ from types import MappingProxyType
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..algebra.sums import add
-from ..frozen import frozen
-from ..named import NamedTuple
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from .forms import projection, spin
 from .graph import Graph, LinearForm, Relation
 

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from ..algebra.blocks import blocks, match
 from ..algebra.matrices import Echelon, Residues, independent, residues
 from ..algebra.modular import ModularPoint
 from ..algebra.product import ONE, ZERO, weight
+from ..algebra.solution_order import blocks, match
 from ..algebra.sums import canonical
 from ..diagnostics import Report
 from ..diagnostics import kinematics as messages

@@ -11,8 +11,8 @@ from ..algebra.factors import Length
 from ..algebra.matrices import shortest_determinant
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import BoundSum, is_long, shortest
+from ..base.frozen import fields, frozen
 from ..formula.names import another
-from ..frozen import fields, frozen
 from .graph import LinearForm, Relation, SpeedKind
 from .plan import Binding, Block, Plan, SpeedFactors
 

@@ -15,8 +15,8 @@ from typing import assert_never
 
 from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import Product
+from ..base.frozen import frozen, replace
 from ..diagnostics import MechcError, Report
-from ..frozen import frozen, replace
 from ..model.mechanism import (
     Force,
     ForcePair,

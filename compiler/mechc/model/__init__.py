@@ -8,7 +8,7 @@ pivot or a slider; at least one find or let is asked for.
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     SELDOM = {"drawn", "equivalent_rods", "translations"}
     __getattr__ = waiting(__name__, SELDOM)

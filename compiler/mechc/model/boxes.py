@@ -5,10 +5,10 @@ from collections.abc import Iterable
 
 from ..algebra.from_formula import to_product
 from ..algebra.intervals import LEAST, IntervalBox, NumberInterval, bounds, sign, widened
+from ..base.frozen import replace
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, Number, Product, Sum, is_call
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter
 from .values import is_constant, range_of

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
+from ..base.frozen import contents, fields
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import contents, fields
 from .mechanism import Mechanism
 from .result import Result
 

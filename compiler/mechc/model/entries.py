@@ -3,9 +3,9 @@
 from collections.abc import Collection, Iterable, Iterator
 from typing import assert_never
 
+from ..base.named import NamedTuple
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..named import NamedTuple
 from .mechanism import (
     Absolute,
     Arrow,

@@ -5,9 +5,9 @@ Everything behind the model knows links and joints alone.
 
 from collections.abc import Sequence
 
+from ..base.frozen import replace
 from ..diagnostics.model import circular_slots as slot_messages
 from ..diagnostics.model import joints as messages
-from ..frozen import replace
 from .entries import vector_between
 from .mechanism import ArcSlot, Arrow, Geometry, Link, Mechanism
 from .names.scope import NameScope

@@ -4,11 +4,11 @@ import re
 from collections.abc import Sequence
 from pathlib import PurePath
 
+from ..base.frozen import replace
 from ..diagnostics import Report
 from ..diagnostics.model import doubts as doubt_words
 from ..diagnostics.model import loads as load_words
 from ..diagnostics.model import results as messages
-from ..frozen import replace
 from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE

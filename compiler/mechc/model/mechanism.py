@@ -11,9 +11,9 @@ from math import prod
 from types import MappingProxyType
 from typing import TypeVar
 
+from ..base.frozen import frozen, replace
 from ..formula.tree import Formula, Number
 from ..formula.walk import symbols
-from ..frozen import frozen, replace
 from ..source import Span
 from ..units import ANGLE
 from .parts.friction import CollarFriction as CollarFriction

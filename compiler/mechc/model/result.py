@@ -9,9 +9,9 @@ All formulas are in SI and radians and mention free parameters and the names in
 
 from collections.abc import Mapping
 
+from ..base.frozen import field, frozen
+from ..base.named import NamedTuple
 from ..formula.tree import Formula
-from ..frozen import field, frozen
-from ..named import NamedTuple
 from ..units import Dimension
 from .mechanism import Parameter, Require, ResultTarget
 

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from typing import TypeVar, get_args
 
+from ..base.frozen import replace
 from ..diagnostics import Report
 from ..diagnostics.model import doubts, sheets
-from ..frozen import replace
 from ..syntax import ast
 from .mechanism import Mechanism
 

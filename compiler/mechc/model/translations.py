@@ -3,10 +3,10 @@
 from collections.abc import Iterable, Iterator, Mapping, Set
 from types import MappingProxyType
 
+from ..base.later import pattern
 from ..diagnostics import Report, near_miss
 from ..diagnostics.model import translations as messages
 from ..formula.names import words_in
-from ..later import pattern
 from ..source import Span
 from ..syntax import ast
 from ..syntax.vocabulary import LANGUAGES

@@ -10,13 +10,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from graphlib import CycleError, TopologicalSorter
 
+from ..base.named import NamedTuple
 from ..formula.choices import EQUAL, SENSELESS
 from ..formula.evaluate import SharedEvaluation, evaluate, solver
 from ..formula.numeric.rounding import PrintedNumber
 from ..formula.numeric.straight_line import OFTEN, StraightLine, SystemSolver, in_order
 from ..formula.tree import Formula, Number, Symbol, System
 from ..formula.walk import Mentions, symbols
-from ..named import NamedTuple
 from ..units import ANGLE, FORCE, LENGTH, TORQUE, UNITS, Dimension, of_length, si_unit
 from .mechanism import Let, Mechanism, Parameter, Require
 from .result import Result

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from ..frozen import frozen, replace
+from ..base.frozen import frozen, replace
 from ..model.values import Chain, Values, defaults, following
 from ..pose.pose import Pose
 from ..study.analysis import Analysis, DeadCentre, Vanishing

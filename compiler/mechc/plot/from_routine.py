@@ -6,9 +6,9 @@ from itertools import groupby, pairwise, product
 
 import numpy as np
 
+from ..base.frozen import replace
 from ..diagnostics import MechcError, near_miss
 from ..diagnostics import plot as messages
-from ..frozen import replace
 from ..model.mechanism import Mechanism
 from ..pose.places import Plane
 from ..routine.steps import Routine

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Literal
 
-from ..frozen import frozen
-from ..named import NamedTuple
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..pose.places import Plane
 from ..units import UNITS, Dimension
 

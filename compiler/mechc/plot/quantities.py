@@ -6,8 +6,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from ..base.named import NamedTuple
 from ..model.mechanism import Let, Mechanism, Parameter
-from ..named import NamedTuple
 from ..routine.evaluate import at_rest, evaluate, has_senses, pose
 from ..routine.steps import Input, PoseProgram, Routine, closed_dimensions
 from ..units import ANGLE, USUAL_UNITS, Dimension, si_unit

@@ -3,10 +3,10 @@
 import math
 from typing import Literal
 
-from ..frozen import frozen
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..model.mechanism import Mechanism
 from ..model.values import defaults, range_of
-from ..named import NamedTuple
 from ..routine.steps import Routine
 from ..units import ANGLE, size_of
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from .narrowing import (
     EPS,
     NEAR_POINT,

@@ -6,9 +6,9 @@ from itertools import product
 
 import numpy as np
 
+from ..base.frozen import frozen
 from ..diagnostics import MechcError, near_miss
 from ..diagnostics import plot as messages
-from ..frozen import frozen
 from ..model.formulas.parameters import in_si
 from ..model.mechanism import Mechanism
 from ..model.values import defaults, range_of

@@ -9,7 +9,7 @@ with the drive.
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     SELDOM = {"assembly_checks", "force_pairs"}
     __getattr__ = waiting(__name__, SELDOM)

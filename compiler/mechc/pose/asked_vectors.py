@@ -10,12 +10,12 @@ from ..algebra.angle import HALF_TURN, Angle, principal
 from ..algebra.from_formula import to_angle, to_product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
+from ..base.frozen import replace
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..formula.layout import TRIGONOMETRIC
 from ..formula.tree import Call, Formula
 from ..formula.walk import children, rebuild, substitute, symbols
-from ..frozen import replace
 from ..model.mechanism import ForcePair, Mechanism
 from ..model.names.forms import COORDINATES, ReservedName, form_of_pose
 from ..source import Span

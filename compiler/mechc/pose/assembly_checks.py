@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
 from ..diagnostics import Diagnostic
-from ..diagnostics import closures as messages
+from ..diagnostics import assembly_lines as messages
 from ..model.mechanism import Assembly
 from .pose import evaluate_vector
 from .tolerances import FLAT_TRIANGLE

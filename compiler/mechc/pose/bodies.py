@@ -20,7 +20,7 @@ from ..model.mechanism import (
     Slot,
     Telescope,
 )
-from .closure import ClosureCondition, across
+from .closure_check import ClosureCondition, across
 from .directions import Directions
 from .pose import Arm, BodyFrame, PointContact, Vector
 from .vector_graph import chained

@@ -6,11 +6,11 @@ from ..algebra.angle import HALF_TURN, QUARTER, Angle
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import sine
+from ..base.named import NamedTuple
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..diagnostics import power as power_words
 from ..model.mechanism import ForcePair, Mechanism, Pivot
-from ..named import NamedTuple
 from .pose import Arm, PoseDefinition, Vector, evaluate_vector
 from .samples import is_behind, poses_nearby
 from .terms import AlgebraicTerms

@@ -4,17 +4,17 @@ from collections.abc import Iterator, Mapping, Set
 from functools import cache, partial
 
 from ..algebra.angle import QUARTER, Angle
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..diagnostics import Report
 from ..formula.tree import Formula
-from ..frozen import replace
 from ..model.boxes import allowed_box
 from ..model.mechanism import ForcePair, Link, Mechanism, RopeFriction, Slider
-from ..named import NamedTuple
 from ..source import Span
 from . import assembly_checks, force_pairs, lines
 from .asked_vectors import with_directions
 from .bodies import aligned, contacts, frames, on_the_line
-from .closure import ClosingEquations, ClosureCondition, across, given_by_hand
+from .closure_check import ClosingEquations, ClosureCondition, across, given_by_hand
 from .directions import Directions
 from .given_angles import in_given_angles
 from .loops.closing import close

@@ -9,9 +9,9 @@ from functools import cache, partial
 
 from ..algebra.angle import QUARTER, Angle, Rational
 from ..algebra.from_formula import to_angle
+from ..base.frozen import replace
 from ..formula.rewriting import Quarter, as_cofunction, plus_first, rewritten
 from ..formula.tree import Formula, Implicit, System
-from ..frozen import replace
 from ..model.mechanism import Arrow, Turn
 from .pose import Pose, PoseDefinition, Vector, reverse
 

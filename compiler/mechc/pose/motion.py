@@ -5,12 +5,12 @@ from collections.abc import Collection, Iterator, Sequence
 from typing import Literal
 
 from ..algebra.trigonometry import cosine, sine
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..formula.names import split_points
 from ..formula.tree import ONE, ZERO, Call, Formula, Symbol, total
 from ..formula.walk import constants
-from ..frozen import frozen
 from ..model.mechanism import Link, Parameter
-from ..named import NamedTuple
 from ..units import ACCELERATION, ANGLE, FREQUENCY, LENGTH, VELOCITY, Dimension
 from .pose import Pose, PoseDefinition, Vector, gathered, measured_by, reverse
 from .rates import NameRates, Titles, first_rates, second_rates, titled

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Mapping
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 
 
 class Plane(NamedTuple):

@@ -14,11 +14,11 @@ from ..algebra.angle import HALF_TURN, Angle
 from ..algebra.product import Product
 from ..algebra.sums import add, put
 from ..algebra.trigonometry import cosine, sine
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..formula.tree import Formula
-from ..frozen import frozen
 from ..model.mechanism import Assembly, Mechanism
 from ..model.result import ClosedLoop as ClosedLoop
-from ..named import NamedTuple
 from ..source import Span
 
 

@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Iterator, Mapping
 
 from ..algebra.product import Product
+from ..base.frozen import replace
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..model.mechanism import Mechanism
 from .pose import Pose
 from .vector_graph import mentioned, names_in

@@ -7,16 +7,16 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from ..algebra.product import Product
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import drawn_places as drawn_messages
 from ..diagnostics import open_loops as open_messages
 from ..diagnostics import pose as messages
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..model.mechanism import Drawn, WheelPair
 from ..model.results import failures
 from ..model.values import Chain, defaults, dependent, holds
-from ..named import NamedTuple
 from ..source import Span
 from ..units import in_unit
 from . import assembly_checks

@@ -11,8 +11,8 @@ from itertools import combinations
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product, Sum
+from ..base.named import NamedTuple
 from ..formula.walk import symbols
-from ..named import NamedTuple
 from ..source import Span
 from .pose import Arm, Vector, evaluate_vector, reverse
 

@@ -10,6 +10,7 @@ from typing import Literal
 from ..algebra.angle import HALF_TURN, QUARTER, Angle
 from ..algebra.intervals import IntervalBox, sign
 from ..algebra.product import Product
+from ..base.named import NamedTuple
 from ..formula.tree import ZERO
 from ..formula.walk import symbols
 from ..model.boxes import allowed_box, size_box
@@ -24,7 +25,6 @@ from ..model.mechanism import (
     Subject,
     Turn,
 )
-from ..named import NamedTuple
 from ..source import Span
 from .directions import Directions
 from .pose import Arm, Vector, components, gathered, halved, measured_by, reverse, turned_by

@@ -9,7 +9,7 @@ the others, each by a coefficient without loads in it.
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     SELDOM = {"force_results", "reactions", "speed_results"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -9,7 +9,7 @@ from ..algebra.angle import Angle
 from ..algebra.matrices import determinant, independent_of
 from ..algebra.product import Product
 from ..algebra.sums import add, canonical
-from ..frozen import frozen
+from ..base.frozen import frozen
 from ..kinematics.plan import Plan, SpeedFactors
 from ..model.mechanism import Load
 from ..model.result import Result

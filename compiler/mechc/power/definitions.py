@@ -5,12 +5,12 @@ from functools import cache, partial
 
 from ..algebra.product import Product, Sum
 from ..algebra.sums import BoundSum
+from ..base.frozen import on_demand, replace
 from ..diagnostics import Report
 from ..diagnostics import power as messages
 from ..diagnostics import reactions as reaction_messages
 from ..formula.tree import Formula
 from ..formula.walk import reached, symbols
-from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Let, LoadForm, Mechanism
 from ..model.result import Definition, Result

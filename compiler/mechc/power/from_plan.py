@@ -3,10 +3,10 @@
 from collections.abc import Iterable
 from typing import assert_never
 
+from ..base.frozen import replace
 from ..diagnostics import Report
 from ..formula.differences import positive_sines, terms_as_in
 from ..formula.tree import Formula
-from ..frozen import replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import (
     Axial,

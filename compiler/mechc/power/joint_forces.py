@@ -10,6 +10,7 @@ from ..algebra.product import ONE, Product
 from ..algebra.product import ZERO as NONE
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
+from ..base.named import NamedTuple
 from ..formula.choices import SENSELESS
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Symbol, is_call, number, product, total
@@ -26,7 +27,6 @@ from ..model.mechanism import (
     Require,
     Subject,
 )
-from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector
 from ..source import Span
 from .balance import Release

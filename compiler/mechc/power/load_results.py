@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import canonical
+from ..base.frozen import replace
 from ..diagnostics import Diagnostic
 from ..diagnostics import power as messages
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..model.mechanism import Find, LoadForm, LoadRatio
 from ..model.result import Definition, Result
 from .balance import AlgebraicResult

@@ -7,6 +7,7 @@ from functools import cached_property
 from ..algebra.factors import Factor, Trig
 from ..algebra.matrices import numeric_rank
 from ..algebra.product import Product, Sum
+from ..base.frozen import replace
 from ..diagnostics import Report
 from ..diagnostics import power as messages
 from ..formula.evaluate import SharedEvaluation
@@ -14,7 +15,6 @@ from ..formula.numeric.rounding import PrintedNumber, Rounding, beyond_rounding,
 from ..formula.to_text import text
 from ..formula.tree import ZERO, Formula, is_call
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Contact, Find, Force, LoadForm, LoadRatio
 from ..model.result import Result

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 from ..algebra.matrices import determinant
 from ..algebra.product import Product
+from ..base.frozen import frozen
 from ..diagnostics import Report
 from ..diagnostics import power as messages
 from ..formula.differences import with_positive_sines
 from ..formula.tree import Formula
-from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.mechanism import Find, Load, LoadForm, LoadRatio, Mechanism
 from ..model.parts.friction import PivotFriction

@@ -10,13 +10,13 @@ from ..algebra.angle import QUARTER, Angle
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..formula.tree import ZERO
-from ..frozen import frozen
 from ..kinematics.joint_refs import JointRef, contact_at, members
 from ..kinematics.plan import Plan
 from ..kinematics.release import ReleasedLinkage, released_linkage
 from ..model.mechanism import Absolute, Force
-from ..named import NamedTuple
 from ..pose.pose import Pose
 from .balance import Release, Term, equations_of
 from .loads import shares, terms

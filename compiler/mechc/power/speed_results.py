@@ -2,10 +2,10 @@
 
 from ..algebra.angle import Angle
 from ..algebra.sums import canonical
+from ..base.named import NamedTuple
 from ..diagnostics import power as messages
 from ..kinematics.plan import Plan, SpeedFactors
 from ..model.mechanism import Find, Speed, SpeedRatio
-from ..named import NamedTuple
 from ..pose.pose import Arm, gathered
 from ..units import FREQUENCY, VELOCITY, Dimension
 from .balance import AlgebraicResult

@@ -14,7 +14,7 @@ once, before or where it is first met.
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     SELDOM = {"book_forms", "directions", "proportional_results", "steps"}
     __getattr__ = waiting(__name__, SELDOM)

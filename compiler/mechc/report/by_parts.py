@@ -21,10 +21,11 @@ from ..formula.tree import (
 )
 from ..formula.walk import children, rebuild, symbols
 from ..model.result import Definition
+from .digits import VALUE_DIGITS
 from .dimensions import names_in
 from .evaluated import Evaluated, KnownQuantities, found_unit
 from .made_names import NamedSums
-from .put_in import PUT_IN_DIGITS, GivenQuantity, in_numbers, values_of
+from .put_in import GivenQuantity, in_numbers, values_of
 
 ROUNDED_SUMS = 5e-6
 """The part of a value that rounding of printed numbers may make."""
@@ -137,7 +138,7 @@ def _in_values(formula: Formula, value: GivenQuantity, known: KnownQuantities) -
     shorter = rebuild(formula, tuple(map(values.put_in, children(formula))))
     shorter = over_line(shorter) if over_line(formula) == formula else shorter
     as_printed = {n: q.value for n, q in known.quantities.items()}
-    as_printed |= {n: float(f"{q.value:.{PUT_IN_DIGITS}g}") for n, q in values.named.items()}
+    as_printed |= {n: float(f"{q.value:.{VALUE_DIGITS}g}") for n, q in values.named.items()}
     if not values.named or not names_in(shorter) <= as_printed.keys():
         return None
     if not isclose(evaluate(shorter, as_printed), value.value, rel_tol=ROUNDED_SUMS):

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Container, Iterator, Mapping, Sequence
 
+from ..base.named import NamedTuple
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import symbols
@@ -10,7 +11,6 @@ from ..model.dependence import below, rests_on
 from ..model.mechanism import Mechanism, Require
 from ..model.result import Result
 from ..model.values import compare, user_defined
-from ..named import NamedTuple
 from ..units import si_unit
 from .put_in import GivenQuantity, values_of
 

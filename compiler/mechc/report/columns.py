@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import assert_never
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from ..study.stroke.stroke import AngleAt, SpeedOf, Stroke, StrokeColumn
 
 SAME_ALONG_STROKE = 1e-9

@@ -5,6 +5,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Literal
 
+from ..base.frozen import frozen, replace
+from ..base.named import NamedTuple
 from ..formula.choices import is_looked_up
 from ..formula.evaluate import equations
 from ..formula.layout import decimal, has_minus, over_line, short_decimal
@@ -22,13 +24,12 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import substitute, walk
-from ..frozen import frozen, replace
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Require
 from ..model.result import Definition, Result
 from ..model.values import is_constant, user_defined
-from ..named import NamedTuple
 from ..units import ANGLE, NUMBER, UNITS, si_unit
 from . import book_forms
+from .digits import VALUE_DIGITS
 
 
 def looked_up(mechanism: Mechanism) -> Iterator[Parameter]:
@@ -129,8 +130,8 @@ def _as_written(definition: Definition, known: NameLetters) -> Definition:
         book = book_forms.book_form(formula, known.positive, known.ranges)
         return Definition(name, over_line(book))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
-    is_short = value.denominator < 10**CONSTANT_DIGITS
-    shown = value if is_short else Fraction(f"{float(value):.{CONSTANT_DIGITS}g}")
+    is_short = value.denominator < 10**VALUE_DIGITS
+    shown = value if is_short else Fraction(f"{float(value):.{VALUE_DIGITS}g}")
     return Definition(name, _measure(shown))
 
 
@@ -172,10 +173,6 @@ def literal_units(results: Iterable[Result]) -> dict[str, str]:
     """Return the results that are numbers in some unit of the SI, with the unit; no angles."""
     numbers = (r for r in results if isinstance(r.formula, Number) and r.formula != ZERO)
     return {r.name: si_unit(r.dimension) for r in numbers if r.dimension not in (ANGLE, NUMBER)}
-
-
-CONSTANT_DIGITS = 6
-"""Significant digits of a constant in a unit of the user's."""
 
 
 class SolvedSystem(NamedTuple):

@@ -9,6 +9,8 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
 from ..algebra.angle import RADIAN, Angle
+from ..base.frozen import fields, replace
+from ..base.named import NamedTuple
 from ..formula.differences import MOST_READ_OPERATIONS
 from ..formula.layout import has_minus, in_degrees
 from ..formula.names import VECTOR_POINTS, direction_of
@@ -28,9 +30,7 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import reached, symbols, walk
-from ..frozen import fields, replace
 from ..model.result import Definition
-from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..study.analysis import Analysis
 

@@ -4,6 +4,7 @@ import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
+from ..base.named import NamedTuple
 from ..formula.evaluate import evaluate
 from ..formula.names import direction_of, split_name
 from ..formula.numeric.rounding import Rounding
@@ -29,10 +30,10 @@ from ..model.values import (
     is_constant,
     usual_units,
 )
-from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import ANGLE, FORCE, NUMBER, UNITS, Dimension, si_unit
 from .definitions import FREE_FALL, given_loads, looked_up, usual_weights
+from .digits import VALUE_DIGITS
 from .dimensions import found_dimension, is_solved, names_in
 from .note import NoteLine
 from .put_in import GivenQuantity, has_units, in_numbers, values_of, without_rounding
@@ -42,9 +43,6 @@ from .sentences.speller import own_names
 
 _ALIKE = {"rel_tol": 1e-6, "abs_tol": 1e-12}
 """What a printed formula may be off its value by rounding, next to a zero or a pole, too."""
-
-FIGURES = 6
-"""Significant digits of a value among what is given."""
 
 ITERATED_ZERO = 1e-40
 """What is smaller is what iteration leaves of a zero, in SI."""
@@ -67,7 +65,7 @@ def following(mechanism: Mechanism, shown: Set[Formula]) -> Mapping[str, Formula
     constants = {p.name for p in mechanism.parameters if is_constant(p)}
     follow = (n for n in dependent(mechanism) if n not in constants)
     wanted = (n for n in follow if n in values and Symbol(n) not in shown)
-    return {n: number(Fraction(f"{values[n]:.{FIGURES}g}")) for n in wanted}
+    return {n: number(Fraction(f"{values[n]:.{VALUE_DIGITS}g}")) for n in wanted}
 
 
 class Evaluated(NamedTuple):

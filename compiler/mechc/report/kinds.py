@@ -2,8 +2,8 @@
 
 from typing import Literal
 
+from ..base.string_enum import Word
 from ..pose.pose import LoopKind
-from ..words import Word
 
 
 class StepRule(Word):

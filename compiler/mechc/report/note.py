@@ -8,21 +8,22 @@ import math
 from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import Literal
 
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..formula.choices import chosen, is_choice
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, Symbol, is_call
 from ..formula.walk import constants, symbols, walk
-from ..frozen import replace
 from ..model.dependence import unused
 from ..model.mechanism import Axial, Let, Mechanism, Normal, Parameter, Reaction, WithFriction
 from ..model.parts.written import WrittenTable
 from ..model.result import Result
 from ..model.values import Chain, UsualUnits, default_pose, defaults, dependent, usual_units
-from ..named import NamedTuple
 from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .checks import NoteCheck, checks
+from .digits import VALUE_DIGITS
 from .languages.locale import Locale
 from .put_in import (
     COMPUTED,
@@ -38,9 +39,6 @@ from .put_in import (
 )
 from .sentences.remarks import kind
 from .sentences.speller import Speller, component_words
-
-NOTE_DIGITS = 6
-"""Digits of values that were computed."""
 
 
 class NoteLine(NamedTuple):
@@ -309,7 +307,7 @@ def _rounded(formula: Formula, value: GivenQuantity | None) -> Formula:
     """Return a formula; a number of so many digits that it was computed as values are shown."""
     digits = sum(map(str.isdigit, formula.name)) if isinstance(formula, Constant) else 0
     if isinstance(formula, Constant) and value and digits > COMPUTED:
-        return replace(formula, name=value.text(NOTE_DIGITS))
+        return replace(formula, name=value.text(VALUE_DIGITS))
     return formula
 
 

@@ -8,6 +8,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..formula.evaluate import evaluate
 from ..formula.layout import TRIGONOMETRIC, diameters_behind, over_line, squares
 from ..formula.operations import count_operations
@@ -28,11 +30,9 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import children, constants, rebuild, symbols
-from ..frozen import replace
 from ..model.mechanism import Mechanism
 from ..model.parts.written import WrittenTable
 from ..model.values import UsualUnits, Values, completed
-from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..study.tolerances import SAME_RATIO
 from ..syntax.vocabulary import split_quantity
@@ -44,10 +44,8 @@ from ..units import (
     in_unit,
     size_of,
 )
+from .digits import VALUE_DIGITS
 from .dimensions import found_dimension, is_homogeneous, is_plain, is_solved, names_in, with_symbols
-
-PUT_IN_DIGITS = 6
-"""Significant digits of numbers that are put in."""
 
 COMPUTED = 12
 """Digits beyond which a number was computed, not written by hand: ``102.277600186942 N``."""
@@ -115,7 +113,7 @@ def put_in(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
         case Product(factors) if sum(bool(symbols(f)) for f in factors) > 1:
             return _in_front([_factor(factor, given) for factor in diameters_behind(factors)])
         case Symbol(name) if given[name].unit == "deg":
-            return in_degrees(given[name].value, PUT_IN_DIGITS)
+            return in_degrees(given[name].value, VALUE_DIGITS)
         case Symbol(name):
             return _constant(given[name], bracketed=given[name].value < 0)
         case Power(Symbol(name) as base, exponent) if not isinstance(base, Constant):
@@ -132,7 +130,7 @@ def put_in(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
 def _of_degrees(function: str, angle: float) -> Formula:
     """Return a function of an angle in degrees, none of them negative; a minus is before it."""
     turn = _within_a_turn(angle)
-    value = Call(function, (in_degrees(abs(turn), PUT_IN_DIGITS),))
+    value = Call(function, (in_degrees(abs(turn), VALUE_DIGITS),))
     return negative(value) if turn < 0 and function != "cos" else value
 
 
@@ -144,7 +142,7 @@ def _is_bracketed(quantity: GivenQuantity, exponent: Formula) -> bool:
     """
     if exponent == HALF:
         return False
-    is_long = bool(quantity.unit) or "e" in quantity.text(PUT_IN_DIGITS)
+    is_long = bool(quantity.unit) or "e" in quantity.text(VALUE_DIGITS)
     is_divisor = exponent == Number(Fraction(-1))
     return (is_long and not is_divisor) or quantity.value < 0
 
@@ -229,7 +227,7 @@ def _argument(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
 
 
 def _constant(quantity: GivenQuantity, bracketed: bool) -> Constant:
-    text = quantity.text(PUT_IN_DIGITS)
+    text = quantity.text(VALUE_DIGITS)
     return Constant(f"({text})" if bracketed else text, Number(Fraction(quantity.value)))
 
 
@@ -341,7 +339,7 @@ def _short(cell: Formula) -> Formula:
     if not isinstance(cell, Constant) or digits < COMPUTED:
         return cell
     number, unit = split_quantity(cell.name)
-    return replace(cell, name=f"{float(number):.{PUT_IN_DIGITS}g} {unit}".rstrip())
+    return replace(cell, name=f"{float(number):.{VALUE_DIGITS}g} {unit}".rstrip())
 
 
 def line_between(table: WrittenTable, asked: float) -> Formula | None:
@@ -371,7 +369,7 @@ def _is_one_of(asked: float, *rows: float) -> bool:
 def _asked(value: float, row: Formula) -> Constant:
     """Return the value asked for in the unit of a row."""
     unit = next((split_quantity(c.name)[1] for c in constants([row])), "")
-    return Constant(GivenQuantity(value, unit).text(PUT_IN_DIGITS), Number(Fraction(value)))
+    return Constant(GivenQuantity(value, unit).text(VALUE_DIGITS), Number(Fraction(value)))
 
 
 def _as_written(cell: Formula) -> Formula:

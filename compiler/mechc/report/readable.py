@@ -5,6 +5,7 @@ from functools import cache, partial
 
 from ..algebra.from_formula import to_product
 from ..algebra.intervals import IntervalBox, sign
+from ..base.frozen import replace
 from ..formula.differences import (
     MOST_READ_OPERATIONS,
     LazyValues,
@@ -31,7 +32,6 @@ from ..formula.tree import (
 )
 from ..formula.walk import symbols, walk
 from ..formula.ways_round import Difference, ways_round, written_round
-from ..frozen import replace
 from ..kinematics.plan import Plan
 from ..model.boxes import given_box, size_box, with_angles
 from ..model.mechanism import Mechanism, Require, WithFriction

@@ -11,10 +11,10 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Mapping, Set
 from typing import assert_never
 
+from ..base.frozen import replace
 from ..formula.names import split_points
 from ..formula.tree import HALF, Formula, Number, Product, Sum, Symbol, product
 from ..formula.walk import walk
-from ..frozen import replace
 from ..model.mechanism import (
     Arrow,
     Force,

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product as AlgebraicProduct
+from ..base.frozen import frozen, replace
+from ..base.named import NamedTuple
 from ..formula.operations import count_operations
 from ..formula.rewriting import plus_first
 from ..formula.tree import ZERO, Call, Formula, Implicit, Product, Sum, Symbol, System
 from ..formula.walk import constants, symbols
-from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter
 from ..model.parts.targets import (
     Efficiency,
@@ -25,7 +26,6 @@ from ..model.parts.targets import (
     whole,
 )
 from ..model.result import Definition
-from ..named import NamedTuple
 from ..study.analysis import Analysis, Multiple
 from . import proportional_results, steps
 from .definitions import NameLetters, as_written, given_loads, letters

@@ -8,13 +8,13 @@ belong to whoever prints.
 from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
 
+from ..base.frozen import frozen, replace
+from ..base.named import NamedTuple
 from ..formula.tree import Formula
 from ..formula.walk import constants, symbols
-from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Require
 from ..model.result import Definition
 from ..model.values import user_defined
-from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import Dimension
 from .kinds import PositionKind, SentenceKind, StepRule

@@ -8,7 +8,7 @@ is computed twice; powers with small whole exponents are products.
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     SELDOM = {"angle_offsets", "common_steps"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -10,8 +10,9 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ..base.named import NamedTuple
 from ..formula.numeric import arcs
-from ..named import NamedTuple
+from ..formula.numeric.newton_status import BRANCH_ENDS, NOT_FOUND, SOLVED
 
 Array: TypeAlias = NDArray[np.float64]
 Flags: TypeAlias = NDArray[np.bool_]
@@ -40,9 +41,9 @@ class _Curves(NamedTuple):
 
 
 def follow(sides: ArrayEquations, start: Array) -> tuple[Array, Array]:
-    """Return the status of every pose, and its unknowns where the status is 0."""
+    """Return the status of every pose, and its unknowns where it is solved."""
     poses = start.shape[1]
-    status, result = np.full(poses, 2.0), np.full_like(start, np.nan)
+    status, result = np.full(poses, float(NOT_FOUND)), np.full_like(start, np.nan)
     points = np.vstack([start, np.zeros(poses)])
     along = np.zeros_like(points)
     along[-1] = 1.0
@@ -53,7 +54,7 @@ def follow(sides: ArrayEquations, start: Array) -> tuple[Array, Array]:
     for _ in range(arcs.MOST_POINTS):
         curves, here = _ahead(sides, left, curves)
         here, curves = _straight(sides, start, left, here, curves)
-        done = here < 2
+        done = here != NOT_FOUND
         status[left[done]], result[:, left[done]] = here[done], curves.points[:-1, done]
         on = ~done & (curves.arcs >= arcs.LEAST)
         left, curves = left[on], curves.only(on)
@@ -63,7 +64,10 @@ def follow(sides: ArrayEquations, start: Array) -> tuple[Array, Array]:
 
 
 def _ahead(sides: ArrayEquations, poses: PoseIndices, curves: _Curves) -> tuple[_Curves, Array]:
-    """Return the next points, and the status: 0 at the end, 1 behind a fold, 2 on the way."""
+    """Return the next points, and the status: solved at the end, else behind a fold, or on the way.
+
+    On the way, nothing is found yet.
+    """
     points, tangents, arc, side = curves
     rest = (1.0 - points[-1]) / tangents[-1]
     is_last = arc >= rest
@@ -88,7 +92,7 @@ def _ahead(sides: ArrayEquations, poses: PoseIndices, curves: _Curves) -> tuple[
     good = is_within & _goes_on(turned, there, length, cosine, side)
     longer = np.where(cosine >= arcs.EASY, np.minimum(2.0 * arc, arcs.LONGEST), arc)
     is_fold = good & ~is_end & (turned[-1] <= 0.0)
-    status = np.where(is_end, 0.0, np.where(is_fold, 1.0, 2.0))
+    status = np.where(is_end, SOLVED, np.where(is_fold, BRANCH_ENDS, NOT_FOUND))
     moved = good | is_end
     return (
         _Curves(
@@ -117,7 +121,7 @@ def _straight(
     sides: ArrayEquations, start: Array, poses: PoseIndices, status: Array, curves: _Curves
 ) -> tuple[Array, _Curves]:
     """Return statuses and points: behind a fold, of a solution that is found from the start."""
-    (folds,) = np.nonzero(status == 1)
+    (folds,) = np.nonzero(status == BRANCH_ENDS)
     if not len(folds):
         return status, curves
     found = np.vstack([start[:, poses[folds]], np.ones(len(folds))])

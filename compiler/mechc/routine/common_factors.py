@@ -13,7 +13,7 @@ from heapq import heappop, heappush
 from itertools import combinations, combinations_with_replacement
 from typing import assert_never
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from .table import (
     Apply,
     EntryTable,

@@ -15,11 +15,11 @@ from functools import reduce
 from operator import or_
 from typing import TypeVar
 
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..model.result import FrictionResult
-from ..named import NamedTuple
 from .functions import AskedResult, ProgramOutput, Read, computation, function_of, operations
 from .scope import ProgramScope
 from .steps import (

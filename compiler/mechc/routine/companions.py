@@ -8,8 +8,8 @@ does not show by itself whether anything moves: the status does.
 from collections.abc import Sequence, Set
 from functools import cache, partial
 
+from ..base.frozen import replace
 from ..formula.tree import Formula
-from ..frozen import replace
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.parts.targets import SIGNS
 from ..model.result import DrivingLoad, FrictionResult

@@ -9,8 +9,8 @@ from collections.abc import Callable, Mapping
 
 from ..algebra.angle import Angle
 from ..algebra.trigonometry import cosine, sine
+from ..base.named import NamedTuple
 from ..formula.tree import ONE, Call, Formula, Product, negative, product, total
-from ..named import NamedTuple
 
 
 class DirectionVector(NamedTuple):

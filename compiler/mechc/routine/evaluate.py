@@ -28,6 +28,7 @@ from ..model.result import DrivingLoad
 from .arcs import Array
 from .newton import SolverEquations, follow
 from .quotient import quotient_of
+from .statuses import MOVES, NO_POSE, NOT_FOUND
 from .steps import (
     NO_LOAD,
     Function,
@@ -152,7 +153,7 @@ def _at_rest(form: Function, values: Mapping[str, Value]) -> NDArray[np.bool_]:
 def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> Array:
     """Return the status of a result with friction; ``ideal`` is the same without it.
 
-    What the numbers mean is in :data:`~.steps.STATUSES`.
+    What the numbers mean is in :data:`~.statuses.STATUSES`.
     """
     asked = function.status
     assert asked is not None, "only results with friction have a status"
@@ -170,16 +171,16 @@ def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> 
     none = np.isnan(value)
     ahead = np.isfinite(value) if asked.is_idle else without >= 0
     found = np.where(ahead, *asked.standstill)
-    *loops, friction = solved or [np.asarray(2.0)]
-    found = np.where(none & (friction == 2), 2, found)
-    found = np.where(none & ~is_pose, 1, found)
-    found = np.where(none & reduce(np.logical_or, (d == 2 for d in loops), False), 2, found)
+    *loops, friction = (d == NOT_FOUND for d in solved or [np.asarray(NOT_FOUND)])
+    found = np.where(none & friction, NOT_FOUND, found)
+    found = np.where(none & ~is_pose, NO_POSE, found)
+    found = np.where(none & reduce(np.logical_or, loops, False), NOT_FOUND, found)
     unloaded = (np.abs(without) < NO_LOAD) & (np.abs(load) < NO_LOAD)
     if asked.is_idle:
         moves = unloaded | (asked.sense * load >= 0)
     else:
         moves = unloaded | np.where(ahead, load > 0, load < 0)
-    return np.where(np.isfinite(value) & moves, 0, found)
+    return np.where(np.isfinite(value) & moves, MOVES, found)
 
 
 def scalar_or_array(value: Value) -> Value:

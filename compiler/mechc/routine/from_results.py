@@ -4,10 +4,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import starmap
 from typing import TYPE_CHECKING
 
+from ..base.frozen import replace
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Implicit, Number, Symbol
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..model.dependence import unused
 from ..model.mechanism import Load, Mechanism, Parameter, Require, WithFriction
 from ..model.result import FrictionResult, Result

@@ -4,11 +4,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import assert_never
 
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..formula.operations import count_operations
 from ..formula.sharing import OneOfEach
 from ..formula.tree import ZERO, Formula
 from ..formula.walk import constants, symbols
-from ..frozen import replace
 from ..model.mechanism import (
     Axial,
     Efficiency,
@@ -22,7 +23,6 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import FrictionResult, Result
-from ..named import NamedTuple
 from ..pose.pose import ClosedLoop
 from .scope import ProgramScope, rename
 from .sharing import Shared, named, share

@@ -11,8 +11,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ..base.named import NamedTuple
 from ..formula.numeric import newton
-from ..named import NamedTuple
+from ..formula.numeric.newton_status import BRANCH_ENDS, NOT_FOUND, SOLVED
 from . import arcs
 from .arcs import Array, PoseIndices, eliminate
 from .steps import Solver
@@ -32,7 +33,7 @@ class SolverEquations(Protocol):
 def follow(
     equations: SolverEquations, solver: Solver, outer: Sequence[Array]
 ) -> tuple[Array, Array]:
-    """Return the status of every pose, and its unknowns: NaN where the status is not 0."""
+    """Return the status of every pose, and its unknowns: NaN where it is not solved."""
     shape = np.broadcast_shapes(*map(np.shape, outer))
     wide = [np.broadcast_to(value, shape) for value in outer]
     known = np.array(wide, dtype=np.float64).reshape(len(outer), int(np.prod(shape)))
@@ -40,7 +41,7 @@ def follow(
         place = solver.outer.index(name)
         known[place] = _nearest(known[place], solver.anchor[place] or 0.0)
     status, found = _follow(equations, solver, known)
-    found[:, status != 0] = np.nan
+    found[:, status != SOLVED] = np.nan
     return status.reshape(shape), found.reshape(len(solver.unknowns), *shape)
 
 
@@ -77,11 +78,14 @@ def _follow(equations: SolverEquations, solver: Solver, outer: Array) -> tuple[A
     """
     number = outer.shape[1]
     anchor, start = _beginning(solver, outer)
-    status, result = np.full(number, 2.0), np.full((len(start), number), np.nan)
+    status, result = np.full(number, float(NOT_FOUND)), np.full((len(start), number), np.nan)
     longest = _longest(solver, anchor, outer)
     left = np.flatnonzero(longest)
     none = np.zeros(len(left))
-    poses = _Poses(start[:, left], start[:, left], none, longest[left], none, longest[left])
+    begun = start[:, left]
+    poses = _Poses(
+        base=begun, found=begun, reached=none, step=longest[left], last=none, longest=longest[left]
+    )
     tried = left
     for _ in range(newton.CORRECTIONS):
         if solver.by_arcs is not None:
@@ -92,13 +96,13 @@ def _follow(equations: SolverEquations, solver: Solver, outer: Array) -> tuple[A
         aim = poses.reached + poses.step
         known = (1.0 - aim) * anchor[:, left] + aim * outer[:, left]
         poses, solved = _corrected(poses, aim, *equations(poses.found, known), solver)
-        status[left[solved]], result[:, left[solved]] = 0.0, poses.found[:, solved]
+        status[left[solved]], result[:, left[solved]] = SOLVED, poses.found[:, solved]
         left, poses = left[~solved], poses.only(~solved)
     if solver.by_arcs is not None:
-        left = tried[status[tried] > 0]
+        left = tried[status[tried] != SOLVED]
         status[left], result[:, left] = _by_arcs(equations, solver, outer[:, left])
     else:
-        status[left] = np.where(poses.step < newton.SHORTEST_STEP, 1.0, 2.0)
+        status[left] = np.where(poses.step < newton.SHORTEST_STEP, BRANCH_ENDS, NOT_FOUND)
     return status, result
 
 

@@ -7,8 +7,8 @@ any other is split, so that 1/2 and 2/3 are exact on both sides of it.
 
 from fractions import Fraction
 
+from ..base.named import NamedTuple
 from ..formula.tree import Formula, Number, Product, split_fraction
-from ..named import NamedTuple
 
 LARGEST_DENOMINATOR = 10**22
 """The largest power of ten that is a float; a decimal finer than that is no measured number."""

@@ -6,11 +6,11 @@ then other results (a let may use a find, and gives a load its value); then load
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from ..base.named import NamedTuple
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import Mechanism
 from ..model.result import FrictionResult, Result
-from ..named import NamedTuple
 
 
 class DefinitionKey(NamedTuple):

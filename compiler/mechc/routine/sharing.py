@@ -11,6 +11,7 @@ from functools import lru_cache
 from itertools import count
 from typing import assert_never
 
+from ..base.named import NamedTuple
 from ..formula import derivative
 from ..formula.evaluate import changes, side
 from ..formula.sharing import each_part
@@ -27,7 +28,6 @@ from ..formula.tree import (
     System,
 )
 from ..formula.walk import symbols
-from ..named import NamedTuple
 from . import angle_offsets
 from .common_factors import with_common_factors
 from .steps import ByArcs, ProgramStatement, Solve, Solver, Step, leading_to, names_in

@@ -10,12 +10,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, TypeVar
 
+from ..base.frozen import frozen, replace
 from ..formula.tree import Formula
 from ..formula.walk import constants, symbols
-from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Require
 from ..model.result import DrivingLoad
 from ..units import ANGLE, LENGTH, Dimension
+from .statuses import JAMMED, LOCKED, NOT_FOUND
 
 if TYPE_CHECKING:
     from ..pose.motion import MotionQuantity
@@ -177,8 +178,8 @@ class ResultStatus:
     ``drive`` is the function of the same without friction, or, of a force at a joint, the load
     that drives, ``sense`` 1 where the motion is that along the drive's arrow, else -1. ``steps``
     solve for the pressing forces, and where ``guards`` fail there is no pose. The numbers are
-    those of :data:`STATUSES`. A load that ``is_idle`` has friction alone to overcome: it drives
-    either way, and no motion needs one against it.
+    those of :data:`~.statuses.STATUSES`. A load that ``is_idle`` has friction alone to overcome: it
+    drives either way, and no motion needs one against it.
     """
 
     name: str
@@ -207,18 +208,9 @@ class ResultStatus:
         Of an idle load: where it would be against the motion, and where nothing balances.
         """
         if self.is_idle:
-            return 2, 4
-        return (4, 3) if self.sense > 0 else (3, 4)
+            return NOT_FOUND, JAMMED
+        return (JAMMED, LOCKED) if self.sense > 0 else (LOCKED, JAMMED)
 
-
-STATUSES = (
-    "it moves: the result is a number",
-    "there is no pose",
-    "iteration has found no balance, and has not shown that there is none",
-    "it is locked: the load alone does not move it",
-    "it is jammed: no force of the drive moves it",
-)
-"""What each status means; the first three are those of a pose as well."""
 
 NO_LOAD = 1e-30
 """Below this, in units of the SI, there is no load: what remains of it is rounding."""

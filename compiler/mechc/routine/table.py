@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import assert_never
 
+from ..base.named import NamedTuple
 from ..formula.choices import spelled_out
 from ..formula.tree import (
     Call,
@@ -25,7 +26,6 @@ from ..formula.tree import (
     System,
 )
 from ..formula.walk import Once, children
-from ..named import NamedTuple
 
 
 class Leaf(NamedTuple):

@@ -3,8 +3,8 @@
 import math
 from collections.abc import Iterable, Iterator
 
+from ..base.named import NamedTuple
 from ..model.parts.linkage import primed
-from ..named import NamedTuple
 from ..pose.places import NOWHERE
 from .assembly import (
     GROUND,
@@ -19,7 +19,7 @@ from .assembly import (
     Wrench,
     scaled,
 )
-from .diagram import Acting, ActionKind
+from .diagrams.diagram import Acting, ActionKind
 from .equations import UnknownForce
 from .surfaces import FrictionSurfaces
 from .transfers import PinOnLink

@@ -3,8 +3,8 @@
 import math
 
 from .balanced import Tie, gather, ties, untied, with_loads
-from .cases import LoadCase
-from .cut_free import StaticsSolution
+from .diagrams.cut_free import StaticsSolution
+from .diagrams.load_cases import LoadCase
 from .equations import equilibrium
 from .friction_loads import friction_forces
 from .sparse_elimination import EliminatedSystem, factor

@@ -7,7 +7,7 @@ size 1 and the one asked for is read off.
 import math
 from collections.abc import Mapping, Set
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from .balanced import Balanced, Tie
 from .equations import EquilibriumSystem
 from .sparse_elimination import EliminatedSystem, SparseRow

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import Literal, assert_never
 
-from ..frozen import frozen
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..model.parts.joints import MeshKind
-from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 from ..pose.places import direction as direction
 

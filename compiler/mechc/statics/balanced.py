@@ -4,11 +4,11 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
 from typing import Any, TypeVar
 
+from ..base.named import NamedTuple
 from ..formula.evaluate import SharedEvaluation, evaluate
 from ..formula.walk import symbols
 from ..model.mechanism import Load, Mechanism
 from ..model.result import Definition
-from ..named import NamedTuple
 from .equations import EquilibriumSystem, equilibrium
 from .sparse_elimination import EliminatedSystem, SparseRow, factor, scale_of
 from .unfold import Unfolding

@@ -12,8 +12,8 @@ Forces are in newtons, and positive as they act on the pin; a tension is positiv
 import math
 from collections.abc import Iterator, Mapping
 
-from ..frozen import frozen
-from ..named import NamedTuple
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from .assembly import (
     GROUND,
     Action,

@@ -10,11 +10,11 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
+from ..base.named import NamedTuple
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.parts.targets import SIGNS
-from ..named import NamedTuple
 from .answers import Answer
 from .balanced import Balanced, Tie, gather, ties, untied, with_loads
 from .equations import EquilibriumSystem, equilibrium

@@ -14,8 +14,8 @@ from itertools import product
 from operator import mul
 from random import Random
 
+from ..base.named import NamedTuple
 from ..formula.numeric.elimination import Matrix, eliminate
-from ..named import NamedTuple
 from ..work import spend
 
 ROUNDS = 400

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from itertools import chain
 from typing import assert_never
 
-from ..frozen import frozen
+from ..base.frozen import frozen
 from ..model.parts.linkage import primed
 from ..pose.pose import Pose, evaluate_vector
 from .assembly import GROUND, Action, Couple, Plane, PointForce, Wrench, direction

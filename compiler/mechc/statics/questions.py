@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import assert_never
 
+from ..base.named import NamedTuple
 from ..formula.tree import ONE, Formula, Symbol
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import (
@@ -20,7 +21,6 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Definition, Result
-from ..named import NamedTuple
 from . import friction_loads, joint_forces, speeds
 from .answers import Answer, load_coefficient, load_ratio
 from .balanced import Balanced

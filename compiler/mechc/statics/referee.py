@@ -8,20 +8,20 @@ import math
 from collections.abc import Iterable, Iterator
 from itertools import islice
 
+from ..base.named import NamedTuple
 from ..diagnostics import Diagnostic, MechcError, Report
 from ..diagnostics import statics as messages
 from ..formula.numeric.rounding import Rounding
 from ..model.result import Result
 from ..model.values import defaults
-from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..source import Span
 from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import counted, surfaces
 from .answers import Answer
 from .balanced import Balanced
-from .closure import worst_gap
 from .contacts import pulling, slack
+from .geometry_check import worst_gap
 from .poses import Replay, Values, broken_at_default, candidates, free_values, varies
 from .questions import Question, questions
 from .tolerances import SINGULAR_CONDITION, SMALLEST

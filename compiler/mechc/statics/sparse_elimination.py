@@ -14,8 +14,8 @@ import heapq
 import math
 from collections.abc import Mapping, Sequence
 
-from ..frozen import frozen
-from ..named import NamedTuple
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from .tolerances import DETERMINED, ELIMINATED, SAME_TERM
 
 SparseRow = Mapping[int, float]

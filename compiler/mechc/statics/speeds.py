@@ -7,8 +7,8 @@ the directions in which they count as positive.
 
 import math
 
+from ..base.named import NamedTuple
 from ..model.mechanism import Speed, SpeedRatio
-from ..named import NamedTuple
 from .answers import Answer, combination
 from .assembly import Action, Plane, direction
 from .balanced import eliminated

@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator
 from typing import Literal, assert_never
 
+from ..base.frozen import frozen
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
-from ..frozen import frozen
 from ..model.mechanism import (
     ArcSlot,
     CollarFriction,

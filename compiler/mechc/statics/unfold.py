@@ -15,7 +15,7 @@ import math
 from collections.abc import Iterator
 from typing import assert_never
 
-from ..frozen import frozen
+from ..base.frozen import frozen
 from ..model.mechanism import Force, ForcePair, Load, Pivot, Slider, Torque
 from ..model.parts.linkage import primed
 from ..pose.pose import evaluate_vector

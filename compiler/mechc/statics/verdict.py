@@ -6,7 +6,7 @@ it in the other languages.
 
 from collections.abc import Mapping
 
-from ..named import NamedTuple
+from ..base.named import NamedTuple
 from .tolerances import AGREEMENT, CONDITION_SLACK, EPSILON
 
 OPEN = "equilibrium leaves a force open that is asked for"

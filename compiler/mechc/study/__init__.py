@@ -6,7 +6,7 @@ Promises: what is said without "sampled" is proved; nothing here changes a formu
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     SELDOM = {"locking", "ratios"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -4,12 +4,12 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Literal
 
+from ..base.frozen import contents, frozen, replace
+from ..base.named import NamedTuple
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import contents, frozen, replace
 from ..model.mechanism import Require
 from ..model.result import Definition, FrictionResult, Result
-from ..named import NamedTuple
 from ..units import Dimension
 from .locking_intervals import EfficiencyRange, Locking, Range
 from .tolerances import SAME_FIGURE, SAME_RATIO, SAME_TURN

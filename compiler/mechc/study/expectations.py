@@ -16,13 +16,14 @@ from types import MappingProxyType
 from typing import Literal
 
 from ..algebra.equality import equal
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import expectations as messages
 from ..formula.evaluate import evaluate
 from ..formula.numeric.rounding import Rounded, Rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import replace
 from ..model.mechanism import Expect, Mechanism
 from ..model.result import Definition, Result
 from ..model.values import (
@@ -39,7 +40,6 @@ from ..model.values import (
     user_defined,
     valid_form,
 )
-from ..named import NamedTuple
 from ..units import in_unit, si_unit
 from .analysis import as_printed
 from .tolerances import SAME_FACTOR, SAME_FIGURE, SAME_RATIO

@@ -5,10 +5,10 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import chain
 
+from ..base.frozen import replace
 from ..diagnostics import Report
 from ..formula.numeric.roots import RealFunction, lowest, spaced
 from ..friction.solution import FrictionSolution
-from ..frozen import replace
 from ..model.mechanism import Drive, LoadRatio, Mechanism, SpeedRatio
 from ..model.values import range_of
 from .analysis import Analysis, Extent, Extreme, Trend, least_and_greatest

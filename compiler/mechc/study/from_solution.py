@@ -10,6 +10,7 @@ from ..algebra.equality import equal
 from ..algebra.factors import ConstantSymbol, Length
 from ..algebra.product import Product
 from ..algebra.sums import add
+from ..base.frozen import replace
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..formula.evaluate import evaluate
@@ -18,7 +19,6 @@ from ..formula.tree import Call, Formula, Symbol, is_call
 from ..formula.walk import substitute, symbols
 from ..friction import at_rest
 from ..friction.solution import FrictionSolution, SolvedWithFriction
-from ..frozen import replace
 from ..model.boxes import range_box
 from ..model.dependence import in_geometry
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction

@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import chain, groupby, pairwise
 
 from ..algebra.from_formula import to_product
+from ..base.frozen import frozen, on_demand, replace
 from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
 from ..formula.positive_divisors import arcs_of_positive_divisors
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..formula.zeros_and_poles import AngleSolution, poles, zeros
-from ..frozen import frozen, on_demand, replace
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of

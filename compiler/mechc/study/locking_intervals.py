@@ -5,9 +5,9 @@ Places are in SI and radians.
 
 from typing import Literal
 
+from ..base.frozen import field, frozen
+from ..base.named import NamedTuple
 from ..formula.tree import Formula
-from ..frozen import field, frozen
-from ..named import NamedTuple
 
 DriveState = Literal["free", "locked", "jammed"]
 """``locked``: the load alone does not move it; ``jammed``: no force of the drive does."""

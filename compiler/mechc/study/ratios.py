@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterator, Sequence
 
+from ..base.frozen import replace
 from ..formula.walk import reached, symbols
 from ..friction.solution import FrictionSolution
-from ..frozen import replace
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, Sense, WithFriction
 from ..model.parts.friction import GuideFriction, PinFriction
 from ..model.result import FrictionResult, Result

@@ -18,15 +18,15 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 
+from ..base.frozen import replace
+from ..base.named import NamedTuple
 from ..formula.evaluate import status_along
-from ..formula.numeric.newton import NewtonStatus
+from ..formula.numeric.newton_status import NewtonStatus
 from ..formula.tree import Formula, Implicit, Number, Power, Product, Symbol, is_call
 from ..formula.walk import symbols, walk
-from ..frozen import replace
 from ..model.parts.targets import SIGNS, Sense
 from ..model.result import FrictionResult, Result
 from ..model.values import Values
-from ..named import NamedTuple
 from .locking_intervals import DriveState, Range
 from .pose_sweep import Functions
 from .sweep import Sweep

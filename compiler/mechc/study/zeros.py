@@ -5,10 +5,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
-from ..algebra.halving import without
 from ..algebra.intervals import NumberInterval, Roots, vanishing_values
 from ..algebra.orders import AngleRoot, half_turns, order, roots
 from ..algebra.product import Product, Sum
+from ..algebra.sine_divisors import without
 from ..algebra.trigonometry import sine
 from ..formula.evaluate import evaluate
 from ..formula.walk import symbols

@@ -8,7 +8,7 @@ at most 64; numbers have at most 40 digits; function names are canonical (``tan`
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ..later import waiting
+    from ..base.later import waiting
 
     SELDOM = {"examples", "moved", "text"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -1,7 +1,7 @@
 """The line notation (``.mech``) to the syntax tree."""
 
+from ..base.frozen import replace
 from ..diagnostics import Report
-from ..frozen import replace
 from ..source import Source
 from . import ast
 from .fault import Fault, check_characters, check_length, check_once, note

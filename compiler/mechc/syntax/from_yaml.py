@@ -9,8 +9,8 @@ The statements stand in the order of the text, section by section.
 from collections.abc import Iterator
 from typing import Any
 
+from ..base.frozen import replace
 from ..diagnostics import Report, syntax_yaml
-from ..frozen import replace
 from ..source import Source, Span
 from . import ast
 from .fault import Fault, check_length, check_once, note
@@ -87,7 +87,11 @@ def _place_of(single: YamlNode, entry: YamlNode, subject: Scalar | None) -> Span
 def with_beside(
     statement: ast.Statement, section: YamlSection, name: Scalar, root: Mapping, source: Source
 ) -> ast.Statement:
-    """Return the statement of a section that is one entry with the keys that go with it."""
+    """Return the statement of a section of one entry with the values of the keys beside it.
+
+    Beside ``gravity: -y`` a top-level key ``g: 9.8 m/s^2`` is a part of the same statement. Other
+    statements stay as they are.
+    """
     if section.shape is not EntryShape.ONE:
         return statement
     wanted = {key.name: key for key in section.beside}

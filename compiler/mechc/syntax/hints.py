@@ -2,8 +2,8 @@
 
 import yaml
 
+from ..base.later import pattern
 from ..diagnostics import MechcError, Report
-from ..later import pattern
 from ..source import Source
 from .from_dsl import parse
 from .to_yaml import to_yaml

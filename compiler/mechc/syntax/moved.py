@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from ..frozen import fields, replace
+from ..base.frozen import fields, replace
 from ..source import Span
 from . import ast
 

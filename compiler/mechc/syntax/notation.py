@@ -5,8 +5,8 @@ from importlib import import_module
 from pathlib import PurePath
 from typing import cast
 
+from ..base.later import pattern
 from ..diagnostics import Diagnostic, Report, syntax
-from ..later import pattern
 from ..source import Source, Span
 from . import ast
 from .parser.grammar import statement_words

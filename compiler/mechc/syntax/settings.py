@@ -7,10 +7,10 @@ its own, so that what may stand there is exactly what may stand in a file.
 from collections.abc import Iterable, Iterator, Mapping
 from typing import assert_never
 
+from ..base.frozen import replace
+from ..base.later import pattern
+from ..base.named import NamedTuple
 from ..diagnostics import Report, syntax
-from ..frozen import replace
-from ..later import pattern
-from ..named import NamedTuple
 from ..source import Source, Span
 from ..units import DIMENSIONS, NUMBER, UNITS
 from . import ast, moved

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from itertools import groupby
 from typing import Any, get_args
 
-from ..later import pattern
+from ..base.later import pattern
 from . import ast, text
 from .examples import ALL_PINS, LINES, ONE_PIN
 from .vocabulary import LANGUAGES, NAME

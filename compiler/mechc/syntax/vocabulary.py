@@ -2,8 +2,8 @@
 
 import re
 
-from ..later import pattern
-from ..named import NamedTuple
+from ..base.later import pattern
+from ..base.named import NamedTuple
 
 GROUND = "ground"
 """What a wheel is fixed to that is fast in the ground."""

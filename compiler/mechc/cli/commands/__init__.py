@@ -2,7 +2,7 @@
 
 from importlib import import_module
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ..usage import Command
 
 

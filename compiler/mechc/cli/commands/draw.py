@@ -14,7 +14,7 @@ from ...emit.svg.picture import to_svg
 from ...files import write_all
 from ...formula.letters import letters
 from ...report.languages.registry import locale
-from ...statics.diagram import friction_circles
+from ...statics.diagrams.diagram import friction_circles
 from ...syntax.settings import Settings
 from ...syntax.vocabulary import LANGUAGES
 from .. import usage

@@ -4,9 +4,9 @@ from difflib import unified_diff
 from pathlib import Path
 from typing import Literal
 
+from ...base.named import NamedTuple
 from ...diagnostics import MechcError
 from ...files import write_all
-from ...named import NamedTuple
 from ...source import Source
 from ...syntax import ast
 from ...syntax.notation import is_yaml, read, report_on

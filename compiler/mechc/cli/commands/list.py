@@ -8,10 +8,10 @@ from textwrap import wrap
 from typing import Any
 from zlib import crc32
 
+from ...base.named import NamedTuple
 from ...data_folders import data
 from ...diagnostics import MechcError
 from ...files import library, read
-from ...named import NamedTuple
 from ...syntax.vocabulary import LANGUAGES
 from .. import opening, usage
 from ..terminal import give, line_width, say

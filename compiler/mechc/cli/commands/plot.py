@@ -3,15 +3,15 @@
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from ...base.frozen import replace
+from ...base.later import pattern
 from ...compilation import checked, warnings
 from ...diagnostics import MechcError
-from ...drawing.from_plot import picture
+from ...drawing.plots.from_plot import picture
 from ...emit.picture import PLOT_FORMATS, PlotPicture
 from ...emit.svg.picture import to_svg
 from ...files import write_all
 from ...formula.letters import letters
-from ...frozen import replace
-from ...later import pattern
 from ...plot.narrowing import ArrayFunction
 from ...plot.query import USUAL_ROWS, Query, ZoneCondition, condition
 from ...report.languages.registry import locale

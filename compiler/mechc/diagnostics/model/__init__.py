@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     WORDS = {
         *("circular_slots", "collars", "doubts", "friction", "held", "joints", "loads"),

@@ -7,8 +7,8 @@ loses nothing. Half the unknowns may go like this, and the rest is left to pivot
 
 from collections.abc import Iterator, Sequence
 
+from ...base.named import NamedTuple
 from ...formula.tree import ZERO, Formula
-from ...named import NamedTuple
 
 Rows = Sequence[Sequence[Formula]]
 

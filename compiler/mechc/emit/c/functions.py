@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
+from ...base.named import NamedTuple
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
-from ...named import NamedTuple
 from ...routine.steps import (
     Common,
     Function,

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from ...base.named import NamedTuple
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
-from ...named import NamedTuple
 from ...routine.functions import operations
 from ...routine.gradient import gradients
 from ...routine.steps import Function, Input, PoseProgram, formulas_of, mentioned, names_of

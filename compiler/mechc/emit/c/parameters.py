@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ...routine.steps import Function, Input, Routine, inputs_of
 from .. import describe
 from ..names import TargetNames

@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
+from ...base.named import NamedTuple
 from ...formula.tree import Symbol
-from ...named import NamedTuple
 from ...routine.steps import Common, PoseProgram, Solver, closed_dimensions, mentioned, names_of
 from .. import describe
 from ..names import TargetNames, mangle

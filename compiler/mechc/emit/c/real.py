@@ -6,11 +6,11 @@ literals and the functions of ``math.h`` change, comments and names do not.
 
 import re
 
+from ...base.later import pattern
+from ...base.named import NamedTuple
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
 from ...formula.numeric import arcs, newton
-from ...later import pattern
-from ...named import NamedTuple
 
 
 class Real(NamedTuple):

@@ -3,12 +3,12 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
+from ...base.named import NamedTuple
 from ...formula.evaluate import evaluate
 from ...formula.numeric import newton
 from ...formula.numeric.elimination import eliminate
 from ...formula.to_text import text
 from ...formula.walk import symbols
-from ...named import NamedTuple
 from ...routine import steps
 from ...routine.steps import ProgramStatement, Solve, Solver
 from ..names import TargetNames, mangle

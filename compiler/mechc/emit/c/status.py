@@ -2,18 +2,10 @@
 
 from collections.abc import Mapping
 
+from ...base.named import NamedTuple
 from ...model.result import DrivingLoad
-from ...named import NamedTuple
-from ...routine.steps import (
-    NO_LOAD,
-    STATUSES,
-    Checks,
-    Function,
-    Solver,
-    mentioned,
-    names_of,
-    sides_of,
-)
+from ...routine.statuses import STATUSES
+from ...routine.steps import NO_LOAD, Checks, Function, Solver, mentioned, names_of, sides_of
 from .. import describe
 from ..names import TargetNames, mangle
 from ..printer import driving

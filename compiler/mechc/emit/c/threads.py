@@ -7,7 +7,7 @@ that its arrays do not overlap, and the loop would be scalar code.
 import re
 from collections.abc import Container
 
-from ...later import pattern
+from ...base.later import pattern
 
 PART = 4096
 """The poses of a part: a whole number of the blocks of a loop, within the cache."""

@@ -5,12 +5,12 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from types import ModuleType
 from typing import TYPE_CHECKING, TypeAlias
 
+from ...base.later import pattern
+from ...base.named import NamedTuple
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
 from ...formula.choices import SIGNS
 from ...formula.numeric import arcs, newton
-from ...later import pattern
-from ...named import NamedTuple
 from ...routine.steps import Common, Program, Routine, every, inputs_of, programs
 from .. import describe
 from ..names import TargetNames, file_stem, mangle, transliterate

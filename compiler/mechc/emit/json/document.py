@@ -6,6 +6,7 @@ The document and its JSON Schema are both made from what stands here.
 from collections.abc import Sequence
 from typing import get_args
 
+from ...base.named import NamedTuple
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols
@@ -13,9 +14,9 @@ from ...model.mechanism import Parameter
 from ...model.result import Definition
 from ...model.statements import is_sheet
 from ...model.values import Chain
-from ...named import NamedTuple
 from ...pose.motion import MotionKind, MotionQuantity
-from ...routine.steps import STATUSES, Function
+from ...routine.statuses import STATUSES
+from ...routine.steps import Function
 from ...statics.verdict import Trial, Verdict
 from ...units import si_unit
 from ..describe import condition_lines, dimension_name, numbered, quantity_words

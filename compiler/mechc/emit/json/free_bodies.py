@@ -3,8 +3,8 @@
 import math
 from typing import get_args
 
-from ...statics import diagram
-from ...statics.diagram import Acting, Diagram, FreeBody
+from ...statics.diagrams import diagram
+from ...statics.diagrams.diagram import Acting, Diagram, FreeBody
 from .figure import PLANE
 from .kinds import FLOAT, TEXT, TRUTH, JsonKind, list_of, map_of, member, one_of, optional, record
 

@@ -9,8 +9,8 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Generic, TypeAlias, TypeVar
 
+from ...base.frozen import frozen
 from ...formula.tree import Formula
-from ...frozen import frozen
 
 Json: TypeAlias = "bool | int | float | str | list[Json] | dict[str, Json] | Formula | None"
 """A value of a document; a formula stands for its LaTeX, which the document's writer makes."""

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from ...base.frozen import replace
 from ...formula.tree import Formula
 from ...formula.walk import symbols
-from ...frozen import replace
 from ...model.result import Definition, Result
 from ...study.analysis import Analysis
 

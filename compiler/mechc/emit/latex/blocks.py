@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ...report.languages.locale import Locale
 from ...report.latex.given import ParameterRow, VectorRow
 from ...report.latex.results import SectionBlock

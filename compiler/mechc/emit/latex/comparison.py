@@ -5,10 +5,10 @@ A fragment needs what a report does, graphicx and tikz, and the lines of :func:`
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from ...base.frozen import frozen
 from ...drawing.drawing import Drawing
 from ...drawing.language_letters import in_letters
 from ...formula.letters import letters
-from ...frozen import frozen
 from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.document_style import style_of

@@ -3,9 +3,9 @@
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence, Set
 from itertools import groupby
 
-from ...frozen import replace
+from ...base.frozen import replace
+from ...base.named import NamedTuple
 from ...model.parts.written import WrittenTable
-from ...named import NamedTuple
 from ...report.checks import NoteCheck
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE_WIDTH

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Iterator
 
-from ...later import pattern
+from ...base.later import pattern
 from ...model.statements import is_sheet
 from ...report.languages import registry
 from ...report.latex.document_style import style_of

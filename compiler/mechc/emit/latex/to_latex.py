@@ -32,7 +32,6 @@ from ...report.latex.given import (
     vector_rows,
 )
 from ...report.latex.notation import LatexNotation, name, notation, translated
-from ...report.latex.numbers import in_line, numbers, values
 from ...report.latex.printer import Box, box, plain, row
 from ...report.latex.quantity import math
 from ...report.latex.results import (
@@ -44,6 +43,7 @@ from ...report.latex.results import (
     untried,
 )
 from ...report.latex.text import has_cyrillic
+from ...report.latex.values_at_pose import in_line, numbers, values
 from ...report.roles import with_places, with_roles
 from ...report.sections import PositionSection, ReportOutline, chosen, outline
 from ...report.sentences.powers import power_remarks

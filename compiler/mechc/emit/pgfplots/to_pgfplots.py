@@ -2,13 +2,14 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from ...drawing.axes import heading
-from ...drawing.describe_plot import describe
-from ...drawing.drawing import Pen, TextRun
+from ...drawing.drawing import TextRun
 from ...drawing.language_letters import spelled
-from ...drawing.marks import DOT, THIN, dots, values_beside
-from ...drawing.panels import PanelLayout, common_entry, entry, laid_out, steps, ways
-from ...drawing.ticks import Scale
+from ...drawing.pens import Pen
+from ...drawing.plots.axes import heading
+from ...drawing.plots.describe_plot import describe
+from ...drawing.plots.marks import DOT, THIN, dots, values_beside
+from ...drawing.plots.panels import PanelLayout, common_entry, entry, laid_out, steps, ways
+from ...drawing.plots.ticks import Scale
 from ...formula.letters import LATIN, Letters, lettered
 from ...plot.plot import Curve, Plot
 from ...pose.places import Plane

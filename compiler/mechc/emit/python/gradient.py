@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ...routine.functions import operations
 from ...routine.gradient import gradients
 from ...routine.steps import Function, PoseProgram, names_of

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from ...base.frozen import frozen
+from ...base.named import NamedTuple
 from ...formula.tree import Call, Formula, Power, Product, Sum, Symbol, is_call
 from ...formula.walk import children, rebuild, symbols
-from ...frozen import frozen
-from ...named import NamedTuple
 from ...routine.steps import ProgramStatement, Step, formulas_of, names_of
 
 PAIR = "_cos_sin"

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from ...base.named import NamedTuple
 from ...formula.tree import Formula, Symbol
-from ...named import NamedTuple
 from ...routine.steps import (
     Common,
     PoseProgram,

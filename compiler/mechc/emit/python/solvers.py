@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Mapping, Set
 
+from ...base.named import NamedTuple
 from ...formula.numeric import newton
 from ...formula.to_text import text
-from ...named import NamedTuple
 from ...routine.steps import NO_ARCS, ProgramStatement, Solve, Solver
 from ..names import TargetNames, mangle
 from ..render import Assignment

@@ -2,18 +2,9 @@
 
 from collections.abc import Mapping
 
-from ...named import NamedTuple
-from ...routine.steps import (
-    NO_LOAD,
-    STATUSES,
-    Checks,
-    Function,
-    Solve,
-    Solver,
-    mentioned,
-    names_of,
-    sides_of,
-)
+from ...base.named import NamedTuple
+from ...routine.statuses import STATUSES
+from ...routine.steps import NO_LOAD, Checks, Function, Solve, Solver, mentioned, names_of, sides_of
 from .. import describe
 from ..names import TargetNames, mangle
 from ..printer import driving

@@ -4,14 +4,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+from ...base.frozen import replace
+from ...base.named import NamedTuple
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
 from ...formula.choices import SIGNS
 from ...formula.numeric import arcs, newton
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
-from ...frozen import replace
-from ...named import NamedTuple
 from ...routine.steps import (
     Common,
     Function,

@@ -14,8 +14,9 @@ from typing import Any
 
 from ...diagnostics import MechcError
 from ...diagnostics.drawing import no_library
-from ...drawing.drawing import Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Shape, TextRun
+from ...drawing.drawing import Arc, Drawing, Fill, Label, Plane, Polyline, Shape, TextRun
 from ...drawing.lettering import INDEX_SIZE, SMALLER
+from ...drawing.pens import Pen
 
 FONTS = (
     "STIX Two Text, Times New Roman, Liberation Serif, FreeSerif, Noto Serif, DejaVu Serif,"

@@ -4,10 +4,11 @@ import math
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
-from ...drawing.drawing import PENS, Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Shape, TextRun
+from ...base.later import pattern
+from ...drawing.drawing import Arc, Drawing, Fill, Label, Plane, Polyline, Shape, TextRun
 from ...drawing.lettering import SIZE
+from ...drawing.pens import PENS, Pen
 from ...formula.names import GREEK
-from ...later import pattern
 from ...report.latex.text import escape
 
 POINTS = 72.27 / 25.4

@@ -10,7 +10,7 @@ all values of one symbol, and ``folds`` are where such a branch turns back.
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"arcs", "continuation", "newton", "roots", "rounded_columns"}
     __getattr__ = waiting(__name__, SELDOM)

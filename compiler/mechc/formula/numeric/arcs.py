@@ -30,10 +30,10 @@ Every target and the interpreter do the same, point by point.
 import math
 from collections.abc import Callable, Sequence
 from operator import mul
-from typing import Literal
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from .elimination import Elimination, Matrix, eliminate
+from .newton_status import BRANCH_ENDS, NOT_FOUND, SOLVED, NewtonStatus
 
 CurveEquations = Callable[[Sequence[float], float], tuple[list[float], Matrix]]
 """Residuals and their slopes, by the unknowns and last by the share, at values of both."""
@@ -101,7 +101,7 @@ class Arcs(NamedTuple):
     sides: CurveEquations
     solve: Elimination = eliminate
 
-    def follow(self, start: Sequence[float]) -> tuple[Literal[0, 1, 2], tuple[float, ...]]:
+    def follow(self, start: Sequence[float]) -> tuple[NewtonStatus, tuple[float, ...]]:
         """Return 0 and the solution at the end of the way, 1 behind a fold, else 2.
 
         The curve of x² = 1 - 2 t turns back at t = 1/2, that of x² = 1 - t/2 does not.
@@ -123,7 +123,7 @@ class Arcs(NamedTuple):
             length = rest if is_last else arc
             found = self._ahead(point, tangent, length, (along, side) if is_last else None)
             if found and is_last:
-                return 0, tuple(found[:-1])
+                return SOLVED, tuple(found[:-1])
             there, turned = self._tangent(found, tangent) if found else (0, [])
             cosine = _dot(turned, tangent) if there else 0.0
             if not there or found[-1] > 1.0 or cosine < _least(turned[-1], there == side, length):
@@ -132,11 +132,11 @@ class Arcs(NamedTuple):
                     break
             elif turned[-1] <= 0.0:
                 straight = self._straight([*start, 1.0], along)
-                return (0, tuple(straight[:-1])) if straight else (1, ())
+                return (SOLVED, tuple(straight[:-1])) if straight else (BRANCH_ENDS, ())
             else:
                 point, tangent, side = found, turned, there
                 arc = min(2 * arc, LONGEST) if cosine >= EASY else arc
-        return 2, ()
+        return NOT_FOUND, ()
 
     def _ahead(
         self,

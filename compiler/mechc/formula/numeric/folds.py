@@ -10,7 +10,7 @@ the last bits.
 import math
 from collections.abc import Callable, Sequence
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from .elimination import eliminate
 from .newton import Residuals
 

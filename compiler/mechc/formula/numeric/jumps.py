@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from operator import itemgetter
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from .roots import LEFT_AT_ZERO, TOUCHED_ZERO, RealFunction
 
 JUMPING = 4.0

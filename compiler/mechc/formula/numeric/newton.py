@@ -19,11 +19,11 @@ Every target and the interpreter do the same, correction by correction.
 import math
 from collections.abc import Callable, Sequence
 from operator import mul, truediv
-from typing import Literal
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from .arcs import Arcs
 from .elimination import Elimination, Matrix, eliminate, quick
+from .newton_status import BRANCH_ENDS, NOT_FOUND, SOLVED, NewtonStatus
 
 Residuals = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
 """Residuals and Jacobian at values of the unknowns and of the outer symbols."""
@@ -33,9 +33,6 @@ Bordered = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[l
 
 At values of the unknowns and of the outer symbols, and at what these change by on the whole way.
 """
-
-NewtonStatus = Literal[0, 1, 2]
-"""0: solved; 1: the branch ends on the way; 2: neither was found, corrections ran out."""
 
 CORRECTIONS = 192
 """Corrections of the unknowns altogether, those of steps that are given up among them.
@@ -129,7 +126,7 @@ class Way(NamedTuple):
         """
         longest = _longest(anchor, outer)
         if longest == 0.0:
-            return 2, tuple(start)
+            return NOT_FOUND, tuple(start)
         base, found = list(start), list(start)
         reached, step, last = 0.0, longest, 0.0
         shortest = ARCS_FROM if self.along else 0.0
@@ -147,13 +144,13 @@ class Way(NamedTuple):
             if not (_is_precise(size, last) or (aim < 1.0 and size <= ROUGH_CORRECTION)):
                 last = size
             elif aim == 1.0:
-                return 0, tuple(found)
+                return SOLVED, tuple(found)
             else:
                 base, reached, last = found, aim, 0.0
                 step = min(2 * step, longest, 1.0 - reached)
         if self.along:
             return self._by_arcs(self.along, anchor, start, outer)
-        return 1 if step < SHORTEST_STEP else 2, tuple(base)
+        return BRANCH_ENDS if step < SHORTEST_STEP else NOT_FOUND, tuple(base)
 
     def _by_arcs(
         self,

@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 
 RealFunction = Callable[[float], float]
 

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from functools import partial
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ..choices import chosen
 from ..evaluate import solution
 from ..functions import FUNCTIONS

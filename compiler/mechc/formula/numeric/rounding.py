@@ -8,7 +8,7 @@ divided by such a zero is infinite, and undetermined where it is such a zero its
 import math
 from collections.abc import Iterable, Mapping, Sequence
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ..choices import chosen
 from ..evaluate import solution
 from ..functions import FUNCTIONS

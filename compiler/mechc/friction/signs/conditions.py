@@ -8,12 +8,12 @@ from ...algebra.from_formula import to_product
 from ...algebra.intervals import IntervalBox, sign
 from ...algebra.product import Product, Sum
 from ...algebra.sums import add
+from ...base.named import NamedTuple
 from ...formula import tree
 from ...formula.layout import has_minus
 from ...formula.operations import count_operations
 from ...formula.to_text import text
 from ...formula.tree import Formula, negative, total
-from ...named import NamedTuple
 from .at_one_pose import SignsAtOnePose
 from .names import bare, exact_sign, is_root
 

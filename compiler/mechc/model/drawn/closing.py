@@ -2,10 +2,10 @@
 
 from collections.abc import Collection, Iterator
 
+from ...base.frozen import replace
 from ...diagnostics import Report
 from ...formula.tree import Formula
 from ...formula.walk import substitute, symbols
-from ...frozen import replace
 from ..mechanism import (
     AlongLine,
     Arrow,

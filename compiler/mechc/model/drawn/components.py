@@ -9,7 +9,7 @@ from ...algebra.factors import Trig
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ..constants import decimal
 
 

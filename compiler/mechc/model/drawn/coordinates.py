@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from copy import copy
 
+from ...base.frozen import replace
 from ...diagnostics import Report
-from ...frozen import replace
 from ..entries import mentioned
 from ..mechanism import Arrow, Geometry, Mechanism, Pivot, Slider, Slot
 from ..values import default_pose

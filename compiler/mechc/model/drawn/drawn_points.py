@@ -7,10 +7,10 @@ from fractions import Fraction
 from ...algebra.from_formula import to_product
 from ...algebra.product import Product
 from ...algebra.sums import add
+from ...base.named import NamedTuple
 from ...formula.evaluate import evaluate
 from ...formula.tree import ZERO, Formula, negative, number, total
 from ...formula.walk import substitute, symbols
-from ...named import NamedTuple
 from ...source import Span
 from ...units import in_unit
 from ..entries import points_of, unit_of_drawing

@@ -4,12 +4,12 @@ import math
 from collections.abc import Mapping
 from typing import assert_never
 
+from ...base.frozen import replace
 from ...diagnostics import Diagnostic
 from ...diagnostics import drawn_places as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol
 from ...formula.walk import symbols
-from ...frozen import replace
 from ...units import ANGLE, LENGTH
 from ..constants import decimal
 from ..entries import vector_between

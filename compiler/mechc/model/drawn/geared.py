@@ -9,6 +9,8 @@ formulas of the drive, so is that one.
 import math
 from collections.abc import Iterator, Mapping
 
+from ...base.frozen import replace
+from ...base.named import NamedTuple
 from ...diagnostics import Report
 from ...diagnostics import drawn_places as messages
 from ...formula.evaluate import evaluate
@@ -24,8 +26,6 @@ from ...formula.tree import (
     total,
 )
 from ...formula.walk import symbols
-from ...frozen import replace
-from ...named import NamedTuple
 from ..entries import direction_matters, place_matters
 from ..mechanism import (
     Absolute,

@@ -13,10 +13,10 @@ import math
 from collections.abc import Collection, Iterable, Iterator
 from itertools import pairwise
 
+from ...base.frozen import replace
 from ...diagnostics import Diagnostic, Report
 from ...diagnostics import drawn_places as messages
 from ...formula.walk import symbols
-from ...frozen import replace
 from ..entries import directions, joined_to, points_of
 from ..mechanism import (
     AlongLine,

@@ -8,10 +8,10 @@ from collections.abc import Mapping
 
 from ...algebra.product import ZERO, Product, Sum
 from ...algebra.sums import add
+from ...base.named import NamedTuple
 from ...formula.names import another
 from ...formula.tree import Call, Formula, Number, Symbol, degrees, negative, total
 from ...formula.walk import symbols
-from ...named import NamedTuple
 from ...units import ANGLE, LENGTH, Dimension
 from ..constants import number_of, rational
 from ..mechanism import Absolute, Mechanism, Parameter

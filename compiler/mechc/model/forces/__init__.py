@@ -6,7 +6,7 @@ Promises: every load acts on a body that is there; every coefficient has a value
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"collars", "friction", "pulleys"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -3,10 +3,10 @@
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
+from ...base.frozen import replace
 from ...diagnostics.model import loads as messages
 from ...diagnostics.model import names
 from ...formula.tree import Formula, Symbol, negative, product, total
-from ...frozen import replace
 from ...syntax import ast
 from ...units import LENGTH, STIFFNESS
 from ..formulas.directions import check_sign

@@ -3,9 +3,9 @@
 import math
 from fractions import Fraction
 
+from ...base.frozen import replace
 from ...diagnostics.model import wheels as messages
 from ...formula.tree import number, product
-from ...frozen import replace
 from ...syntax import ast
 from ...units import ANGLE, LENGTH
 from ..formulas.expressions import Reader

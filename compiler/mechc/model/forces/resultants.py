@@ -6,8 +6,8 @@ Everything behind the model knows forces at points alone.
 from collections.abc import Sequence
 from itertools import count
 
+from ...base.frozen import replace
 from ...formula.tree import negative, product, total
-from ...frozen import replace
 from ..entries import drawn_places, ray_through, unit_of_drawing, vector_between
 from ..mechanism import AlongLine, Arrow, Drawn, Force, Load, Mechanism, Spread
 from ..names.scope import NameScope

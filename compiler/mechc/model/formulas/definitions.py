@@ -8,13 +8,13 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal
 
+from ...base.named import NamedTuple
 from ...diagnostics import uses as uses_messages
 from ...diagnostics.model import names
 from ...diagnostics.model import sheets as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Number, Symbol
 from ...formula.walk import substitute, symbols, walk
-from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...units import ANGLE, DIMENSIONS, FREQUENCY, UNITS, Dimension

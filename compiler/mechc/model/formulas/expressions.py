@@ -7,6 +7,8 @@ uses it stays quiet.
 from fractions import Fraction
 from typing import assert_never
 
+from ...base.frozen import frozen
+from ...base.later import pattern
 from ...diagnostics import Report
 from ...diagnostics.model import names, quantities, reactions, sizes
 from ...formula.tree import (
@@ -24,8 +26,6 @@ from ...formula.tree import (
     product,
     total,
 )
-from ...frozen import frozen
-from ...later import pattern
 from ...source import Span
 from ...syntax import ast
 from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension

@@ -4,8 +4,8 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import chain
 
+from ...base.frozen import replace
 from ...formula.walk import symbols
-from ...frozen import replace
 from ...source import Source, Span
 from ...syntax import ast
 from ...units import ANGLE, LENGTH, UNITS, USUAL_UNITS, Dimension, of_length, si_unit

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable
 
+from ...base.named import NamedTuple
 from ...diagnostics.model import quantities
 from ...formula.to_text import text
 from ...formula.tree import Formula, Symbol
-from ...named import NamedTuple
 from ...source import Span
 from ...units import Dimension
 from ..constants import rational, too_large

@@ -4,12 +4,12 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
+from ...base.frozen import replace
 from ...diagnostics import Report
 from ...diagnostics.model import doubts, quantities, sizes
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols
-from ...frozen import replace
 from ...syntax import ast
 from ...syntax.settings import parse
 from ...syntax.vocabulary import points_of

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from enum import Enum
 from fractions import Fraction
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ...units import ANGLE, NUMBER, Dimension
 
 

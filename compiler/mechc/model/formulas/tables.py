@@ -4,11 +4,11 @@ import math
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
+from ...base.named import NamedTuple
 from ...diagnostics.model import sheets as messages
 from ...formula.choices import SAME_ROW
 from ...formula.evaluate import evaluate
 from ...formula.tree import Call, Formula
-from ...named import NamedTuple
 from ...syntax import ast
 from ...units import LENGTH
 from ..constants import leaves

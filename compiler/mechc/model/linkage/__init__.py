@@ -6,7 +6,7 @@ Promises: every point of a joint or guide stands on a body, a pivot or a slider.
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"held"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -2,10 +2,10 @@
 
 import math
 
+from ...base.named import NamedTuple
 from ...diagnostics.model import joints as messages
 from ...formula.tree import Formula, Symbol
 from ...formula.walk import symbols
-from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...units import ANGLE, LENGTH

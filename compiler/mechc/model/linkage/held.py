@@ -7,13 +7,13 @@ point, links are joined by a rod between points of both, a telescope becomes a r
 from cmath import phase
 from collections.abc import Iterator
 
+from ...base.frozen import replace
+from ...base.named import NamedTuple
 from ...diagnostics import Report
 from ...diagnostics.model import held as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols
-from ...frozen import replace
-from ...named import NamedTuple
 from ..mechanism import (
     Absolute,
     Arrow,

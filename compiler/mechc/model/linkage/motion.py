@@ -3,13 +3,13 @@
 import math
 from collections.abc import Iterator
 
+from ...base.frozen import replace
 from ...diagnostics import Report, drawn_places, stroke
 from ...diagnostics.model import doubts, held, quantities, sizes
 from ...diagnostics.model import joints as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols
-from ...frozen import replace
 from ...syntax import ast
 from ...syntax.vocabulary import points_of
 from ...units import ANGLE, LENGTH, TIME, Dimension, in_unit

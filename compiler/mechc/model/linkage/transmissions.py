@@ -4,10 +4,10 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import TypeVar
 
+from ...base.frozen import replace
 from ...diagnostics.model import circular_slots as slot_messages
 from ...diagnostics.model import joints as messages
 from ...diagnostics.model import wheels
-from ...frozen import replace
 from ...syntax import ast
 from ..formulas.directions import read_direction
 from ..mechanism import (

@@ -6,7 +6,7 @@ Promises: a name means one thing, and what formulas may not use is refused where
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"not_brought"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import Literal
 
-from ...later import pattern
-from ...named import NamedTuple
+from ...base.later import pattern
+from ...base.named import NamedTuple
 from ...syntax.vocabulary import points_of
 
 FORMS = {

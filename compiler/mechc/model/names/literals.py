@@ -10,6 +10,8 @@ import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from ...base.frozen import fields, replace
+from ...base.named import NamedTuple
 from ...formula.evaluate import evaluate
 from ...formula.names import another
 from ...formula.tree import (
@@ -26,8 +28,6 @@ from ...formula.tree import (
     number,
 )
 from ...formula.walk import substitute, symbols
-from ...frozen import fields, replace
-from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...units import LENGTH, NUMBER, UNITS, Dimension, si_unit

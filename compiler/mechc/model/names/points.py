@@ -4,10 +4,10 @@ from collections import Counter
 from collections.abc import Collection, Iterable
 from itertools import accumulate, pairwise
 
+from ...base.named import NamedTuple
 from ...diagnostics import Report
 from ...diagnostics.model import joints
 from ...diagnostics.model import names as messages
-from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...syntax.vocabulary import points_of

@@ -4,13 +4,13 @@ from collections.abc import Iterable, Iterator
 from itertools import permutations
 from typing import Literal
 
+from ...base.named import NamedTuple
 from ...diagnostics import Report
 from ...diagnostics.model import names as messages
 from ...formula.evaluate import evaluate
 from ...formula.names import ParsedName, another, split_name
 from ...formula.tree import ZERO, Constant, Formula, Number
 from ...formula.walk import symbols
-from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...syntax.vocabulary import points_of

@@ -2,9 +2,9 @@
 
 from typing import assert_never
 
+from ...base.frozen import frozen
 from ...formula.tree import Call, Formula, number, product, total
 from ...formula.walk import symbols
-from ...frozen import frozen
 from ...source import Span
 from .joints import MeshKind
 from .targets import Sense

@@ -4,8 +4,8 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Self
 
+from ...base.named import NamedTuple
 from ...formula.tree import PI, Formula, number, product
-from ...named import NamedTuple
 from ...source import Span
 
 

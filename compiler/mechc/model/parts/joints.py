@@ -9,8 +9,8 @@ share are no joints of their own: the links' points say them.
 from collections.abc import Iterable, Sequence
 from typing import Literal
 
+from ...base.frozen import frozen, replace
 from ...formula.tree import Formula, negative, total
-from ...frozen import frozen, replace
 from ...source import Span
 from .holding import (
     Feed,

@@ -9,8 +9,8 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Literal
 
+from ...base.frozen import frozen
 from ...formula.tree import Formula
-from ...frozen import frozen
 from ...source import Span
 
 # ---------------------------------------------------------------------- directions

@@ -7,9 +7,9 @@ from abc import abstractmethod
 from fractions import Fraction
 from typing import Literal
 
+from ...base.frozen import frozen
+from ...base.named import NamedTuple
 from ...formula.tree import Formula, number, product, total
-from ...frozen import frozen
-from ...named import NamedTuple
 from ...source import Span
 from ...units import FORCE, TORQUE, Dimension
 from .linkage import Direction

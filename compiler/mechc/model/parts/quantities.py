@@ -7,10 +7,10 @@ from collections.abc import Container, Mapping
 from fractions import Fraction
 from typing import Literal
 
+from ...base.frozen import frozen, replace
+from ...base.named import NamedTuple
 from ...formula.tree import Formula
 from ...formula.walk import symbols
-from ...frozen import frozen, replace
-from ...named import NamedTuple
 from ...source import Span
 from ...units import NUMBER, Dimension
 from .targets import ResultTarget

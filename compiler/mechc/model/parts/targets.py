@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import Literal
 
-from ...frozen import frozen, replace
-from ...named import NamedTuple
+from ...base.frozen import frozen, replace
+from ...base.named import NamedTuple
 
 
 class Speed(NamedTuple):

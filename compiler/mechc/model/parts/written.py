@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import Literal, assert_never
 
+from ...base.frozen import frozen
 from ...formula.choices import CONDITIONS
 from ...formula.layout import short_decimal
 from ...formula.tree import (
@@ -23,7 +24,6 @@ from ...formula.tree import (
     total,
 )
 from ...formula.walk import constants, substitute, walk
-from ...frozen import frozen
 from ...syntax import ast
 from ...syntax.vocabulary import split_quantity
 from ...units import UNITS, behind

@@ -6,7 +6,7 @@ Promises: whatever is named there is a quantity of the mechanism or of the descr
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"failures", "reported"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from ...base.frozen import replace
 from ...diagnostics import Diagnostic, Report
 from ...diagnostics import uses as uses_messages
 from ...diagnostics.model import doubts, quantities, sizes
@@ -11,7 +12,6 @@ from ...diagnostics.model import results as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol
 from ...formula.walk import substitute, symbols
-from ...frozen import replace
 from ...syntax import ast
 from ...units import NUMBER, Dimension, in_unit, si_unit
 from ..constants import last_digit

@@ -2,6 +2,7 @@
 
 from collections.abc import Container, Iterator
 
+from ...base.later import pattern
 from ...diagnostics import Diagnostic
 from ...diagnostics import sheets as messages
 from ...diagnostics import uses as uses_messages
@@ -10,7 +11,6 @@ from ...formula.evaluate import evaluate
 from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...formula.walk import symbols
-from ...later import pattern
 from ...source import Source
 from ...units import ANGLE, LENGTH, in_unit, si_unit
 from ..mechanism import Require, Subject

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
+from ...base.named import NamedTuple
 from ...diagnostics.model import reactions as reaction_words
 from ...diagnostics.model import results as messages
-from ...named import NamedTuple
 from ...syntax import ast
 from ...units import FREQUENCY, NUMBER, VELOCITY, Dimension
 from ..mechanism import (

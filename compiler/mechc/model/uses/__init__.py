@@ -6,7 +6,7 @@ Promises: no use is left, and every name that came in this way begins with the p
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"composing", "mechanism_statements"}
     __getattr__ = waiting(__name__, SELDOM)

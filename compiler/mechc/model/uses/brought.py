@@ -7,9 +7,9 @@ stay parameters. What is expected there stays behind.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from ...base.frozen import on_demand, replace
 from ...diagnostics import Report
 from ...diagnostics import uses as messages
-from ...frozen import on_demand, replace
 from ...source import Span
 from ...syntax import ast, moved
 from ..constants import leaves as leaves_of

@@ -1,7 +1,7 @@
 """A description with what it uses put in."""
 
-from ...later import pattern
-from ...named import NamedTuple
+from ...base.later import pattern
+from ...base.named import NamedTuple
 from ...source import Source, Span
 from ...syntax import ast
 from ..mechanism import Mechanism, Parameter, Subassembly

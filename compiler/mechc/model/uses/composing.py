@@ -11,10 +11,10 @@ from itertools import chain
 from pathlib import Path
 
 from ... import files
+from ...base.frozen import replace
 from ...diagnostics import Diagnostic, MechcError, Report, Severity
 from ...diagnostics import joining as join_messages
 from ...diagnostics import uses as messages
-from ...frozen import replace
 from ...source import Source
 from ...syntax import ast
 from ..mechanism import Subassembly
@@ -71,8 +71,8 @@ class _Composing:
     def composed(self) -> Composed:
         """Return the file with all that it uses, as far as nothing is wrong."""
         lines = list(self._lines())
-        if len(lines) == len(self._file.statements):
-            lines = self._without_dots(lines)
+        if len(lines) == len(self._file.statements):  # no `use` was wrong, at which lines end
+            lines = self._with_whole_names(lines)
         file = replace(self._file, statements=tuple(chain.from_iterable(lines)))
         parts = tuple(
             Subassembly(prefix, part.used.mechanism.name, tuple(part.points.items()))
@@ -96,7 +96,7 @@ class _Composing:
             self._check_names(statement, found)
             yield tuple(self._not_translated(found))
 
-    def _without_dots(
+    def _with_whole_names(
         self, lines: Sequence[Sequence[ast.Statement]]
     ) -> list[Sequence[ast.Statement]]:
         """Return the lines; those of the file itself name points of parts as the whole has them."""

@@ -8,8 +8,8 @@ one by quarters.
 from decimal import Decimal
 from fractions import Fraction
 
-from ...frozen import replace
-from ...named import NamedTuple
+from ...base.frozen import replace
+from ...base.named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...syntax.vocabulary import points_of

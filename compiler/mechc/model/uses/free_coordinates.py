@@ -4,9 +4,9 @@
 uses the mechanism has it among its own, so that it may be given, and set from outside.
 """
 
+from ...base.frozen import replace
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
-from ...frozen import replace
 from ...syntax import ast
 from ...units import si_unit, size_of
 from ..mechanism import Mechanism, Parameter

@@ -13,11 +13,11 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from ...base.frozen import replace
 from ...diagnostics import Report
 from ...diagnostics import joining as messages
 from ...diagnostics.model import quantities
 from ...formula.evaluate import evaluate
-from ...frozen import replace
 from ...source import Span
 from ...syntax import ast, moved
 from ...units import ANGLE, DIMENSIONS, UNITS, Dimension

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from ...base.named import NamedTuple
 from ...diagnostics import Report
 from ...diagnostics import joining as messages
-from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...syntax.vocabulary import of_used

@@ -5,8 +5,8 @@ Of a ratio k = P/F one load follows from the other: ``C_P = C_k*C_F`` where F is
 
 from collections.abc import Iterator
 
+from ...base.named import NamedTuple
 from ...formula.walk import symbols
-from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...units import DIMENSIONS, Dimension

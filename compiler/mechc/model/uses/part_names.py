@@ -7,9 +7,9 @@ that it has in the whole. ``T.O`` is point O of the part T, wherever a point may
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
 
-from ...frozen import fields, replace
-from ...later import pattern
-from ...named import NamedTuple
+from ...base.frozen import fields, replace
+from ...base.later import pattern
+from ...base.named import NamedTuple
 from ...source import Span
 from ...syntax import ast, moved
 from ...syntax.vocabulary import GROUND, of_used, points_of

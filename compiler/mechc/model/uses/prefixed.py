@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
+from ...base.frozen import on_demand, replace
 from ...formula.tree import Constant, Formula, Implicit, Symbol
 from ...formula.walk import children, rebuild
-from ...frozen import on_demand, replace
 from ..mechanism import Parameter, Require
 from ..parts.targets import Efficiency, LoadForm, LoadRatio, ResultTarget, WithFriction
 from ..result import (

@@ -18,7 +18,7 @@ uses only parameters and earlier definitions.
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"branches", "by_groups", "state"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Protocol
 
-from ...diagnostics import closures as messages
+from ...diagnostics import assembly_lines as messages
 from ...model.mechanism import Assembly
 from ...source import Span
 from ..pose import Limit

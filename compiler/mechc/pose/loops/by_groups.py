@@ -12,11 +12,11 @@ from contextlib import contextmanager
 from ...algebra.from_formula import is_transparent, to_product
 from ...algebra.product import Product, Sum
 from ...algebra.sums import put
+from ...base.frozen import replace
 from ...diagnostics import Report
 from ...diagnostics import open_loops as messages
 from ...formula.tree import ONE, Call, Formula, Implicit, Symbol, negative, total
 from ...formula.walk import symbols, walk
-from ...frozen import replace
 from ...model.mechanism import Assembly, Link, Mechanism
 from ...model.values import following
 from ...units import LENGTH

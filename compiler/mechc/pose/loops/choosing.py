@@ -3,12 +3,12 @@
 import math
 from collections.abc import Collection, Mapping, Sequence
 
+from ...base.named import NamedTuple
 from ...diagnostics import MechcError, Report
-from ...diagnostics import closures as closure_messages
+from ...diagnostics import assembly_lines as closure_messages
 from ...diagnostics import open_loops as messages
 from ...formula.walk import symbols
 from ...model.mechanism import Arrow, Assembly, Mechanism
-from ...named import NamedTuple
 from ..samples import Values
 from ..tolerances import FLAT_TRIANGLE
 from ..vector_graph import Cycle, loop_name, points_around

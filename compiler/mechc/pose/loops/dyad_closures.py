@@ -18,9 +18,9 @@ from ...algebra.factors import Length
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
+from ...base.frozen import replace
 from ...formula.names import another
 from ...formula.tree import Call, Formula, negative, product, total
-from ...frozen import replace
 from ..pose import Arm, Limit, PoseDefinition, gathered
 from ..vector_graph import loop_name, mentioned
 from .dyad_sides import DyadSides, along, heron

@@ -8,9 +8,9 @@ from types import MappingProxyType
 
 from ...algebra.angle import Angle, principal
 from ...algebra.product import Product
+from ...base.frozen import frozen
+from ...base.named import NamedTuple
 from ...formula.tree import Call
-from ...frozen import frozen
-from ...named import NamedTuple
 from ..pose import Limit, LoopKind, PoseDefinition, Vector, gathered
 from ..vector_graph import Cycle, Edge, NameSet, mentioned
 

@@ -10,13 +10,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from random import Random
 
 from ...algebra.angle import QUARTER, Angle
-from ...algebra.blocks import blocks, match
 from ...algebra.factors import Length
 from ...algebra.product import Product
+from ...algebra.solution_order import blocks, match
+from ...base.frozen import replace
+from ...base.named import NamedTuple
 from ...formula.tree import Call, Formula, Sum, Symbol, System, implicit, is_call
 from ...formula.tree import Product as Factors
-from ...frozen import replace
-from ...named import NamedTuple
 from ..pose import Arm, Limit, OpenUnknowns, PoseDefinition, Vector, components, gathered
 from ..samples import Values
 from ..tolerances import SAME_CLOSURE, SOLVED_GAP

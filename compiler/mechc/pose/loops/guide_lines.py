@@ -4,7 +4,8 @@ from collections.abc import Iterator
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product
-from ...frozen import replace
+from ...base.frozen import replace
+from ...base.named import NamedTuple
 from ...model.entries import points_of
 from ...model.mechanism import (
     Arrow,
@@ -13,7 +14,6 @@ from ...model.mechanism import (
     Slider,
     Slot,
 )
-from ...named import NamedTuple
 from ...source import Span
 from ..directions import Directions
 from ..pose import Arm

@@ -13,6 +13,7 @@ from ...algebra.angle import Angle
 from ...algebra.factors import Factor, Trig
 from ...algebra.product import Product, Sum
 from ...algebra.sums import add
+from ...base.named import NamedTuple
 from ...diagnostics import open_loops as messages
 from ...formula.evaluate import evaluate
 from ...formula.numeric.roots import roots
@@ -20,7 +21,6 @@ from ...formula.to_text import text
 from ...formula.tree import Call, Formula, Number, negative, total
 from ...formula.walk import constants, symbols, walk
 from ...model.values import following
-from ...named import NamedTuple
 from ...units import ANGLE, Dimension
 from ..pose import Limit
 from .dyads import Closure

@@ -2,7 +2,7 @@
 
 TYPE_CHECKING = False
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"equal_sides", "equilibrium", "friction"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from ...base.frozen import replace
 from ...formula.tree import ONE, ZERO, Formula, Symbol, is_call, product
 from ...formula.walk import substitute, symbols
 from ...friction.solution import FrictionStep
-from ...frozen import replace
 from ...model.mechanism import (
     LoadForm,
     LoadRatio,

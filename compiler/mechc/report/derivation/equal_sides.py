@@ -6,10 +6,10 @@ from itertools import combinations
 from ...algebra.angle import HALF_TURN, Angle, principal
 from ...algebra.from_formula import to_angle
 from ...algebra.product import Product
+from ...base.frozen import replace
+from ...base.named import NamedTuple
 from ...formula.walk import symbols
-from ...frozen import replace
 from ...model.mechanism import Arrow
-from ...named import NamedTuple
 from ...pose.pose import Pose
 from ...pose.tolerances import SAME_PLACE
 from ..steps import PositionStep

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
+from ...base.frozen import replace
 from ...equilibrium.equilibrium import (
     Equilibrium,
     EquilibriumStep,
@@ -15,7 +16,6 @@ from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Symbol, negative, product, total
 from ...formula.walk import symbols
 from ...friction.solution import FrictionSolution
-from ...frozen import replace
 from ...model.mechanism import ArcSlot, Mechanism, Reaction
 from ...model.parts.targets import whole
 from ...pose.pose import Pose

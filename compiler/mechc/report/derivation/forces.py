@@ -7,9 +7,9 @@ from ...algebra.angle import HALF_TURN
 from ...algebra.product import Product
 from ...algebra.sums import add, canonical
 from ...algebra.trigonometry import cosine, sine
+from ...base.frozen import replace
 from ...formula.tree import ZERO, Call, Formula, Symbol, product, quotient, total
 from ...friction.solution import FrictionSolution, SolvedWithFriction
-from ...frozen import replace
 from ...model.mechanism import Axial, Load, Normal, Reaction
 from ...model.result import Definition
 from ...pose.pose import Pose, Vector

@@ -6,11 +6,11 @@ from typing import assert_never
 
 from ...algebra.from_formula import to_product
 from ...algebra.sums import add
+from ...base.frozen import replace
 from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Call, Formula, Product, Sum, Symbol, is_call, product, total
 from ...formula.walk import symbols, walk
 from ...friction.solution import FrictionSolution, FrictionStep, SolvedWithFriction, StepKind
-from ...frozen import replace
 from ...model.mechanism import (
     Axial,
     LoadForm,

@@ -3,10 +3,10 @@
 from collections.abc import Sequence, Set
 from typing import TYPE_CHECKING
 
+from ...base.frozen import replace
 from ...formula.tree import ZERO, Formula, Symbol
 from ...formula.walk import substitute, symbols
 from ...friction.solution import FrictionSolution
-from ...frozen import replace
 from ...model.mechanism import SpeedRatio
 from ...study.analysis import Analysis
 from ..kinds import StepRule

@@ -10,10 +10,10 @@ from collections.abc import Mapping
 from ...algebra.angle import Angle
 from ...algebra.product import ONE, Product
 from ...algebra.sums import add, canonical, readable
+from ...base.named import NamedTuple
 from ...formula.tree import Formula, Sum, Symbol, product, total
 from ...kinematics.graph import LinearForm, Rule, SpeedKind, UnknownSpeed
 from ...kinematics.plan import Plan
-from ...named import NamedTuple
 from ...power.balance import Balance
 from ...power.numbers import default_values
 from ..sentences.order import positive_first

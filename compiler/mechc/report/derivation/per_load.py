@@ -6,12 +6,12 @@ know nothing of these: there it is written by the forces that they give, each di
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
+from ...base.frozen import replace
 from ...equilibrium.equilibrium import Equilibrium, LoadTerms
 from ...formula.names import another
 from ...formula.tree import Formula, Symbol, product, quotient, total
 from ...formula.walk import symbols
 from ...friction.solution import FrictionSolution
-from ...frozen import replace
 from ...model.mechanism import LoadRatio
 from ...model.result import Definition
 from ...power.definitions import intermediates

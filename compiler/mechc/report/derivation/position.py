@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, groupby
 
+from ...base.frozen import replace
+from ...base.later import pattern
 from ...formula.names import VECTOR_POINTS, corner_of, split_points
 from ...formula.rewriting import plus_first
 from ...formula.tree import HALF, ONE, Call, Formula, Implicit, Number, Power, Product, Sum
 from ...formula.walk import reached, symbols, walk
-from ...frozen import replace
-from ...later import pattern
 from ...model.mechanism import ForcePair, Mechanism
 from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop

@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator, Mapping
 
+from ...base.named import NamedTuple
 from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Sum, Symbol, negative, number, product, total
 from ...kinematics.forms import speed_of_load
 from ...kinematics.graph import LinearForm
 from ...model.mechanism import Force, ForcePair
-from ...named import NamedTuple
 from ...power.balance import Term
 from ..kinds import StepRule
 from ..sentences.order import positive_first

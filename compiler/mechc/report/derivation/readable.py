@@ -2,11 +2,11 @@
 
 from collections.abc import Iterable, Sequence
 
+from ...base.frozen import replace
 from ...formula.differences import factors_as_in, terms_as_in
 from ...formula.layout import has_minus
 from ...formula.rewriting import plus_first
 from ...formula.tree import Formula, Product, negative
-from ...frozen import replace
 from ..readable import ReadableFormulas
 from ..steps import Derivation, DerivationStep, Equation, Explanation, LastStep, Paragraph
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ...statics import verdict
 
 if TYPE_CHECKING:

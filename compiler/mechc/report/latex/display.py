@@ -10,10 +10,10 @@ earlier display keeps that name and is not defined again.
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from ...base.named import NamedTuple
 from ...formula.layout import is_angle
 from ...formula.tree import Formula, Product, Sum, negative
 from ...formula.walk import children, rebuild, symbols
-from ...named import NamedTuple
 from .notation import LatexNotation
 from .printer import Box, Boxes, box, plain, row, signed
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-from ...frozen import replace
+from ...base.frozen import replace
 from ...model.mechanism import Mechanism, WithFriction
 from ...study.analysis import Analysis
 from ..made_names import names_of, points_of

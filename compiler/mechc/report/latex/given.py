@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Set
 from typing import assert_never
 
+from ...base.named import NamedTuple
 from ...formula.names import split_points
 from ...formula.tree import Constant, Formula, Symbol, number, product
 from ...model.entries import unit_of_drawing
@@ -25,7 +26,6 @@ from ...model.mechanism import (
 )
 from ...model.parts.written import WrittenFormula
 from ...model.values import is_constant, own_stroke
-from ...named import NamedTuple
 from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale

@@ -7,6 +7,8 @@ ctg and a decimal comma.
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
+from ...base.frozen import frozen
+from ...base.later import pattern
 from ...formula.names import (
     GREEK,
     JointForceName,
@@ -20,8 +22,6 @@ from ...formula.names import (
     split_ratio,
     words_in,
 )
-from ...frozen import frozen
-from ...later import pattern
 from ...model.mechanism import Reaction
 from ..languages.registry import locale
 from ..made_names import MadeNames

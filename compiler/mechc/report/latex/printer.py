@@ -20,11 +20,11 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
 
+from ...base.later import pattern
+from ...base.named import NamedTuple
 from ...formula.layout import SIZES, TRIGONOMETRIC, in_degrees
 from ...formula.tree import Call, Constant, Formula, Number, Pi, Power, Product, Symbol
 from ...formula.typesetting import FormulaRow, Surroundings, Typesetter
-from ...later import pattern
-from ...named import NamedTuple
 from ...syntax.vocabulary import split_quantity
 from .notation import LatexNotation, relation_sign
 from .notation import name as name_of

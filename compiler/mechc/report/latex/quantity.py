@@ -18,13 +18,12 @@ from ...formula.tree import ZERO, Constant, Formula, Number, Sum, negative, tota
 from ...model.mechanism import Absolute, AlongLine, Direction
 from ...units import ANGLE, DEGREES, LENGTH, UNITS, Dimension, si_unit, size_of, small_angle
 from ...units import in_unit as text_in_unit
+from ..digits import VALUE_DIGITS
 from ..languages.locale import Locale
 from ..put_in import in_degrees as rounded
 from .notation import LatexNotation, points
 from .printer import latex, scientific
 from .unit_symbols import UnitLetters, unit_symbol
-
-_DIGITS = 6
 
 
 def quantity(
@@ -61,7 +60,7 @@ def _with_unit(term: Formula, unit: str) -> Formula:
     if not isinstance(term, Number):
         return term
     size = Number(abs(term.value))
-    shown = Constant(text_in_unit(float(size.value), unit, _DIGITS), size)
+    shown = Constant(text_in_unit(float(size.value), unit, VALUE_DIGITS), size)
     return shown if term.value > 0 else negative(shown)
 
 
@@ -73,8 +72,8 @@ def measured(value: float, dimension: Dimension, locale: Locale, style: LatexNot
 def in_unit(value: float, unit: str, words: UnitLetters, style: LatexNotation) -> str:
     """Return a computed value, given in SI, in a unit; degrees as :func:`rounded` has them."""
     if unit == "deg":
-        turn = in_degrees(rounded(value, _DIGITS))
-        return _degrees(turn or 0, style, _DIGITS + 1) + unit_symbol(unit, words)
+        turn = in_degrees(rounded(value, VALUE_DIGITS))
+        return _degrees(turn or 0, style, VALUE_DIGITS + 1) + unit_symbol(unit, words)
     return decimal(value / size_of(unit), style) + unit_symbol(unit, words)
 
 
@@ -97,7 +96,7 @@ def _in_unit(value: Formula, unit: str) -> Fraction | float:
     return evaluate(value, {}) / size_of(unit)
 
 
-def decimal(value: Fraction | float, style: LatexNotation, figures: int = _DIGITS) -> str:
+def decimal(value: Fraction | float, style: LatexNotation, figures: int = VALUE_DIGITS) -> str:
     r"""Return a number to so many significant digits, with the language's decimal sign.
 
     >>> from .notation import notation
@@ -116,7 +115,7 @@ def in_a_line(shown: str) -> str:
     return f"${{{shown}}}$" if r"\cdot" in shown else f"${shown}$"
 
 
-def _degrees(value: Fraction | float, style: LatexNotation, figures: int = _DIGITS) -> str:
+def _degrees(value: Fraction | float, style: LatexNotation, figures: int = VALUE_DIGITS) -> str:
     """Return a number of degrees; that of a small angle has no power of ten."""
     return scientific(small_angle(f"{float(value):.{figures}g}"), style)
 

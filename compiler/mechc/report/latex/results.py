@@ -3,13 +3,13 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
+from ...base.named import NamedTuple
 from ...formula.layout import decimal as exact_decimal
 from ...formula.layout import is_angle
 from ...formula.names import split_points
 from ...formula.tree import ZERO, Formula, Number, Symbol, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition
-from ...named import NamedTuple
 from ...statics.verdict import Verdict
 from ...study.analysis import Analysis
 from ...units import ANGLE, behind
@@ -21,10 +21,10 @@ from ..steps import Equation, Paragraph
 from .display import LINE_WIDTH, DisplayLine, balance, display, vanishing
 from .notation import LatexNotation, name, points, relation_sign
 from .note import alone
-from .numbers import short_derivatives, slope
 from .printer import Box, box, latex, plain
 from .quantity import decimal, in_a_line
 from .unit_symbols import unit_symbol
+from .values_at_pose import short_derivatives, slope
 
 _WIDE = 9.0
 """Em beyond which a left side is no mere name or ratio of speeds."""

@@ -13,8 +13,8 @@ import unicodedata
 from functools import cache
 from itertools import groupby
 
+from ...base.later import pattern
 from ...formula.names import GREEK
-from ...later import pattern
 from .letters import CYRILLIC, LATIN, spelled
 
 _SHAPES = {"phi": "varphi", "epsilon": "varepsilon"}

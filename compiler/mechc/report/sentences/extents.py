@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ...formula.tree import ZERO, Formula, Symbol
 from ...study.analysis import Analysis, Extent, Extreme
 from ...units import behind, size_of
+from ..digits import EXTREME_DIGITS
 from ..dimensions import names_in
 from ..languages.locale import Locale
 from .limits import states_none
@@ -14,9 +15,6 @@ from .speller import Speller
 
 MOST_LISTED_ZEROS = 8
 """More zeros, or poles, than this are not listed."""
-
-EXTREME_DIGITS = 5
-"""Significant digits of an extreme value."""
 
 AS_NOTHING = 1e-6
 """Places are found to so small a part of the range: one that is less than that is 0.

@@ -77,9 +77,10 @@ def states_none(result: Analysis, kind: str) -> bool:
 
 
 def _stated(result: Analysis, kind: str) -> list[Vanishing]:
-    """Return the zeros, or the poles, that are stated: not long ones whose places are listed.
+    """Return the conditions of zeros, or of poles, that are stated.
 
-    Next to a shorter one they are: else the places would seem to be where that one holds.
+    A long condition is left out where its places are listed: these tell more. Beside a short
+    condition it is stated, too: the places listed would be read as those of the short one.
     """
     found: Sequence[Vanishing] = getattr(result, kind)
     looked = _looked(result)

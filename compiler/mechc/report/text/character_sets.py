@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from ...frozen import frozen
-from ...later import pattern
+from ...base.frozen import frozen
+from ...base.later import pattern
 
 RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 """Digits as they stand above the line."""

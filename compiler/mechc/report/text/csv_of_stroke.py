@@ -5,7 +5,7 @@ import io
 import math
 from collections.abc import Iterator
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ...study.stroke.stroke import Stroke, StrokeRow
 from ...units import size_of
 from .stroke import headed, held, unit_of, written

@@ -15,6 +15,7 @@ from ...units import ANGLE
 from ..brief import needed, relations, short
 from ..by_parts import by_parts
 from ..definitions import SolvedSystem, grouped, looked_up, stated_above, without_minus
+from ..digits import VALUE_DIGITS
 from ..evaluated import Evaluated, evaluated, following, has_atan2, hides_units, named_directions
 from ..made_names import MadeNames, names_of, points_of
 from ..sections import PositionSection, ReportOutline, Section, outline
@@ -31,7 +32,7 @@ from ..sentences.wording import (
 from ..steps import Derivation, LastStep, names_met
 from . import note
 from .given import given
-from .speller import DEEP, LINE_COLUMNS, LINES, VALUE_DIGITS, TextSpeller, speller
+from .speller import DEEP, LINE_COLUMNS, LINES, TextSpeller, speller
 
 
 def render(

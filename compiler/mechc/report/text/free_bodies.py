@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator
 
-from ...statics.diagram import Acting, Diagram, FreeBody
+from ...statics.diagrams.diagram import Acting, Diagram, FreeBody
 
 NOTHING = (
     "There are no free bodies: no load is asked for, friction alone holds it, or no pose"

@@ -20,10 +20,11 @@ from ...model.mechanism import (
 from ...model.values import is_constant, own_stroke
 from ...units import in_unit, si_unit
 from ..definitions import given_loads
+from ..digits import VALUE_DIGITS
 from ..roles import with_places, with_roles
 from . import note
 from .printer import print_name, print_quantity
-from .speller import VALUE_DIGITS, TextSpeller
+from .speller import TextSpeller
 
 
 def given(

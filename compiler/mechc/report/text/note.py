@@ -3,24 +3,25 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 
+from ...base.frozen import replace
+from ...base.named import NamedTuple
 from ...formula.choices import is_choice
 from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
 from ...formula.tree import Formula
-from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
 from ...model.parts.written import WrittenFormula, WrittenTable
 from ...model.result import Result
 from ...model.values import is_constant
-from ...named import NamedTuple
 from ...units import ANGLE, in_unit, si_unit
 from ..checks import NoteCheck
+from ..digits import VALUE_DIGITS
 from ..languages.locale import Words
 from ..note import NoteLine, label, note
 from ..put_in import GivenQuantity
 from .character_sets import TextSigns, tens
 from .printer import print_formula, print_name, print_quantity
-from .speller import VALUE_DIGITS, TextSpeller
+from .speller import TextSpeller
 
 
 class NoteRow(NamedTuple):

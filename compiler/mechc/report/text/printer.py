@@ -17,6 +17,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
+from ...base.later import pattern
 from ...formula.layout import SIZES, TRIGONOMETRIC, decimal, letter_of
 from ...formula.names import (
     GREEK,
@@ -29,7 +30,6 @@ from ...formula.names import (
 )
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import FormulaRow, Surroundings, Typesetter
-from ...later import pattern
 from .character_sets import RAISED, TextSigns, tens
 
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

@@ -3,16 +3,17 @@
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
+from ...base.frozen import replace
+from ...base.later import Later, pattern
+from ...base.named import NamedTuple
 from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
 from ...formula.names import split_points
 from ...formula.tree import Formula, Symbol
-from ...frozen import replace
-from ...later import Later, pattern
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
-from ...named import NamedTuple
 from ...units import behind, in_unit
+from ..digits import VALUE_DIGITS
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
 from ..made_names import MadeNames
@@ -24,9 +25,6 @@ from .repeated import RepeatedSums
 
 textwrap = Later("textwrap")
 """Breaks lines; most of what ``check`` says fits into one."""
-
-VALUE_DIGITS = 6
-"""Significant digits of values."""
 
 LINE_COLUMNS = 80
 """Columns that lines keep to where they can."""

@@ -6,9 +6,9 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from html import escape
 from textwrap import wrap
 
+from ...base.named import NamedTuple
 from ...formula.letters import Letters, lettered, letters, of_unit
 from ...formula.to_text import text
-from ...named import NamedTuple
 from ...study.analysis import DeadCentre
 from ...study.locking_intervals import USUAL, EfficiencyRange, rounded_share
 from ...study.stroke.stroke import (
@@ -26,6 +26,7 @@ from ...study.stroke.stroke import (
 from ...study.tolerances import EXACT, NEARLY
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
 from ..columns import legend, repeated
+from ..digits import VALUE_DIGITS
 from ..languages.registry import locale
 from ..sentences.limits import dead_centre
 from .character_sets import ASCII, tens
@@ -38,9 +39,6 @@ ENDS = {
 }
 """The words for the ends of an interval that are left out, lower and upper."""
 
-
-FIGURES = 6
-"""Significant digits of values in sentences, as reports have them; a :class:`Stroke` has all."""
 
 ENOUGH_DIGITS = 13
 """Digits beyond which the ends of an interval are one place."""
@@ -203,7 +201,7 @@ def _value(x: float, shown: WrittenStroke, digits: int = 9) -> str:
     return shown.number(_in(x, unit_of(stroke.dimension, stroke.unit), digits))
 
 
-def _at(x: float, shown: WrittenStroke, digits: int = FIGURES) -> str:
+def _at(x: float, shown: WrittenStroke, digits: int = VALUE_DIGITS) -> str:
     """Return the drive and its value; what is nearer to zero than values are found is zero."""
     x = x if abs(x) > NEARLY * abs(shown.stroke.high - shown.stroke.low) else 0.0
     unit = unit_of(shown.stroke.dimension, shown.stroke.unit)
@@ -244,7 +242,7 @@ def _singular(found: Singular, shown: WrittenStroke) -> str:
     """Return the line of a singular pose: the value there, both where it jumps, and its cause."""
     does, names = f"is {found.value}", {"name": found.result, "at": _at(found.drive, shown)}
     if found.sides is not None:
-        low, high = (_measured(side, found.result, shown, FIGURES) for side in found.sides)
+        low, high = (_measured(side, found.result, shown, VALUE_DIGITS) for side in found.sides)
         does, names = "jumps", {**names, "low": low, "high": high}
     whole = shown.says(does, **names)
     if found.exact is not None:
@@ -263,7 +261,7 @@ def _zero_part(part: ZeroInterval, shown: WrittenStroke) -> str:
 
 def _extremum(found: Extremum, shown: WrittenStroke) -> str:
     """Return where a result is least or greatest, be it on one side of a jump alone."""
-    value = _measured(found.value, found.result, shown, FIGURES)
+    value = _measured(found.value, found.result, shown, VALUE_DIGITS)
     is_beside = any(
         one.result == found.result and one.drive == found.drive and found.value in (one.sides or ())
         for one in shown.stroke.singular
@@ -299,7 +297,7 @@ def _efficiency_range(name: str, efficiency: EfficiencyRange, shown: WrittenStro
 
 def _span(low: float, high: float, shown: WrittenStroke) -> str:
     """Return an interval, with as many digits as its ends take to be two."""
-    for digits in range(FIGURES, ENOUGH_DIGITS + 1):
+    for digits in range(VALUE_DIGITS, ENOUGH_DIGITS + 1):
         ends = _at(low, shown, digits), _at(high, shown, digits)
         if len({*ends}) == 2:
             break

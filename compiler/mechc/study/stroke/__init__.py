@@ -16,7 +16,7 @@ why it is not; singular poses and extrema lie on the stroke, in its order.
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"ratio_extent"}
     __getattr__ = waiting(__name__, SELDOM)

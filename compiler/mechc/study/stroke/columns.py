@@ -6,6 +6,7 @@ A path is a coordinate of a point, the direction of a link, or the rate of one.
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
+from ...base.named import NamedTuple
 from ...diagnostics import MechcError, near_miss
 from ...diagnostics import stroke as messages
 from ...formula.evaluate import evaluate
@@ -13,7 +14,6 @@ from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...model.result import Definition
 from ...model.values import Chain, Values
-from ...named import NamedTuple
 from ...pose.motion import Motion, MotionQuantity
 from ...units import Dimension
 from ..sweep import Sweep

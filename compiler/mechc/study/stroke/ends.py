@@ -8,11 +8,11 @@ one crosses it: a branch point, at which the drive can go on and the loop in two
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
+from ...base.named import NamedTuple
 from ...formula.evaluate import evaluate, numeric, solution
 from ...formula.numeric.folds import SolutionCurve
 from ...formula.tree import Formula, Implicit, System
 from ...model.values import Chain, following
-from ...named import NamedTuple
 from ...pose.pose import Pose
 from ...units import LENGTH
 from ..pose_sweep import PoseSweep

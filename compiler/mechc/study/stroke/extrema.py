@@ -5,9 +5,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise, product
 from typing import Literal
 
+from ...base.frozen import replace
 from ...formula.numeric.jumps import NEAR_JUMP
 from ...formula.numeric.roots import RealFunction, lowest, roots
-from ...frozen import replace
 from ...model.mechanism import Efficiency, LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
 from ..sweep import Sweep

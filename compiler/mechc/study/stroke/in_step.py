@@ -8,13 +8,13 @@ import math
 from collections.abc import Iterator, Mapping
 
 from ...algebra.angle import Angle
+from ...base.named import NamedTuple
 from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
 from ...model.entries import direction_matters, points_of
 from ...model.mechanism import Arrow, Link, Mechanism, Slider
-from ...named import NamedTuple
 from ...pose.pose import Pose, Vector, evaluate_vector
 from ..pose_sweep import PoseCode, PoseSweep
 from ..tolerances import DIFFERENCE, SAME_RATE

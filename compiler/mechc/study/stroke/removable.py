@@ -7,10 +7,10 @@ that are zero there. At that place a formula has no value, and near it what roun
 import math
 from collections.abc import Sequence
 
+from ...base.named import NamedTuple
 from ...formula.numeric.roots import RealFunction
 from ...formula.numeric.rounding import with_error
 from ...model.result import Result
-from ...named import NamedTuple
 from ..sweep import Sweep
 from ..tolerances import ACROSS, SAME_RATIO, SMOOTH
 

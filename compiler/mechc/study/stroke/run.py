@@ -6,11 +6,11 @@ values are spaced evenly by that root. Where a loop that lies flat can go on, no
 
 from collections.abc import Callable, Iterator, Sequence
 
+from ...base.frozen import frozen, replace
 from ...formula.numeric.roots import spaced
 from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import FrictionSolution
-from ...frozen import frozen, replace
 from ...model.mechanism import (
     Axial,
     LoadForm,

@@ -9,7 +9,7 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ..pose_sweep import NO_POSE
 from ..tolerances import AT_BRANCH_POINT, BRANCH_POINT, CROSSING, SAME_VALUE
 from .ends import end_of_branch

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import Literal
 
+from ...base.frozen import frozen
+from ...base.named import NamedTuple
 from ...formula.tree import Formula
-from ...frozen import frozen
-from ...named import NamedTuple
 from ...units import Dimension
 from ..analysis import Cause
 from ..locking_intervals import DriveState, EfficiencyRange

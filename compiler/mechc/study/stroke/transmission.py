@@ -9,8 +9,8 @@ import math
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from ...algebra.angle import QUARTER, Angle
+from ...base.named import NamedTuple
 from ...model.mechanism import Link
-from ...named import NamedTuple
 from ...pose.pose import Pose
 
 

@@ -9,12 +9,12 @@ from collections.abc import Iterable, Iterator
 from ...algebra.angle import rational
 from ...algebra.product import Product
 from ...algebra.sums import add, canonical
+from ...base.named import NamedTuple
 from ...formula.tree import Symbol
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
 from ...model.mechanism import Arrow, ForcePair
 from ...model.parts.linkage import primed
-from ...named import NamedTuple
 from ...power.balance import Balance, Term
 from ...units import FREQUENCY, VELOCITY, Dimension
 from .branches import rates_of

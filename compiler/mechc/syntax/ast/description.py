@@ -1,6 +1,6 @@
 """What is said of a description as a whole, and what every statement has."""
 
-from ...frozen import field, frozen
+from ...base.frozen import field, frozen
 from ...source import Span
 from .expressions import Name
 

@@ -3,7 +3,7 @@
 from fractions import Fraction
 from typing import Literal
 
-from ...frozen import field, frozen
+from ...base.frozen import field, frozen
 from ...source import Span
 
 

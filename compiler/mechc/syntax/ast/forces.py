@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from ...frozen import frozen
+from ...base.frozen import frozen
 from .description import Statement
 from .expressions import Direction, Expr, Name
 

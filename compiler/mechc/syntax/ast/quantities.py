@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from ...frozen import field, frozen
+from ...base.frozen import field, frozen
 from ...source import Span
 from ...units import Dimension
 from .description import Statement

@@ -6,7 +6,7 @@ Promises: a statement is a node with the span of its text, or it was reported, w
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"slips", "statement_examples", "unit_words", "usual_slips"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -7,8 +7,8 @@ node and no tree is walked afterwards.
 from fractions import Fraction
 from typing import Any
 
+from ...base.frozen import replace
 from ...diagnostics import syntax, syntax_limits
-from ...frozen import replace
 from ...source import Span
 from ...units import UNITS
 from .. import ast, limits, text

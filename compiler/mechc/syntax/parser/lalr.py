@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from ...source import Span
 
 END = "$END"

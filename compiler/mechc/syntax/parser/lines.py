@@ -9,7 +9,7 @@ that is not closed, is found where it stands.
 
 from collections.abc import Iterator
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from .grammar import statement_words
 from .lalr import Token
 

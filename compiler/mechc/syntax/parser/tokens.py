@@ -32,7 +32,7 @@ from .lalr import Token, span_of
 if TYPE_CHECKING:
     from . import strange as characters
 else:
-    from ...later import Later
+    from ...base.later import Later
 
     characters = Later("mechc.syntax.parser.strange")
 

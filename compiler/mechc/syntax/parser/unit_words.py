@@ -8,7 +8,7 @@ from ...units import UNITS
 if TYPE_CHECKING:
     import difflib
 else:
-    from ...later import Later
+    from ...base.later import Later
 
     difflib = Later("difflib")
 

@@ -6,7 +6,7 @@ Promises: every value keeps its place in the text; a key is read, or was reporte
 from typing import TYPE_CHECKING
 
 if not TYPE_CHECKING:
-    from ...later import waiting
+    from ...base.later import waiting
 
     SELDOM = {"slips"}
     __getattr__ = waiting(__name__, SELDOM)

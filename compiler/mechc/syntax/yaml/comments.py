@@ -6,9 +6,9 @@ of a section, stands above the next statement; what is left stands at the end.
 
 from collections.abc import Iterator, Sequence
 
-from ...frozen import replace
-from ...later import pattern
-from ...named import NamedTuple
+from ...base.frozen import replace
+from ...base.later import pattern
+from ...base.named import NamedTuple
 from ...source import Source, Span
 from .. import ast
 from ..vocabulary import LANGUAGES

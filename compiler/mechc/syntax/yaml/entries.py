@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from ...base.frozen import fields
 from ...diagnostics import Diagnostic, syntax, syntax_yaml
-from ...frozen import fields
 from ...source import Source, Span
 from .. import ast, examples
 from ..fault import Fault

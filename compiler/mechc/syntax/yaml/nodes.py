@@ -8,9 +8,9 @@ from collections.abc import Iterator
 
 import yaml
 
+from ...base.frozen import frozen
+from ...base.named import NamedTuple
 from ...diagnostics import Diagnostic, MechcError, Report, syntax_limits, syntax_yaml
-from ...frozen import frozen
-from ...named import NamedTuple
 from ...source import Span
 from .. import limits
 from ..fault import check_characters, note

@@ -7,7 +7,7 @@ mapping form has.
 
 from enum import Enum, auto
 
-from ...named import NamedTuple
+from ...base.named import NamedTuple
 from .. import ast
 
 

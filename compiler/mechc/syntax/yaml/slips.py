@@ -4,9 +4,9 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 from typing import Final
 
+from ...base.later import pattern
+from ...base.named import NamedTuple
 from ...diagnostics import Diagnostic, syntax
-from ...later import pattern
-from ...named import NamedTuple
 from ...source import Source, Span
 from ..examples import SECTIONS
 from ..vocabulary import POINTS

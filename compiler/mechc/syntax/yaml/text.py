@@ -1,6 +1,6 @@
 """Scalars as YAML text: plain where every YAML reader takes them for the same text."""
 
-from ...later import pattern
+from ...base.later import pattern
 
 # Nothing that YAML gives a meaning: no indicator in front, no ': ', no ' #'.
 PLAIN = pattern(r"(?![-?:](?:\s|$))[^\s,\[\]{}#&*!|>'\"%@`?:][^\n]*(?<![\s:])")

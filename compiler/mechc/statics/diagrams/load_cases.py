@@ -2,11 +2,11 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ..formula.evaluate import evaluate
-from ..formula.walk import symbols
-from ..model.mechanism import Axial, LoadForm, LoadRatio, Mechanism, Normal, Reaction
-from ..model.result import Result
-from ..named import NamedTuple
+from ...base.named import NamedTuple
+from ...formula.evaluate import evaluate
+from ...formula.walk import symbols
+from ...model.mechanism import Axial, LoadForm, LoadRatio, Mechanism, Normal, Reaction
+from ...model.result import Result
 
 LoadSizes = Mapping[str, float]
 

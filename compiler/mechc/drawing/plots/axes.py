@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator
 
-from ..frozen import frozen
-from ..plot.plot import PlotAxis
-from ..pose.places import Plane
-from .drawing import SYMBOL, Fill, Label, Pen, Polyline, Shape, TextRun
-from .lettering import SIZE, name, text_size
+from ...base.frozen import frozen
+from ...plot.plot import PlotAxis
+from ...pose.places import Plane
+from ..drawing import Fill, Label, Polyline, Shape, TextRun
+from ..lettering import SIZE, name, text_size
+from ..pens import SYMBOL, Pen
 from .ticks import Scale
 
 GRID = Pen("grid", 0.12, "#c9c9c9")

@@ -8,20 +8,20 @@ import math
 from collections.abc import Callable, Iterator, Sequence, Set
 from functools import partial
 
-from ..frozen import frozen, replace
-from ..model.mechanism import Torque
-from ..model.parts.linkage import primed
-from ..model.result import Result
-from ..pose.places import NOWHERE
-from ..pose.pose import Pose
-from . import all_forces
-from .cases import LoadCase, LoadSizes, cases, sizes_of
+from ...base.frozen import frozen, replace
+from ...model.mechanism import Torque
+from ...model.parts.linkage import primed
+from ...model.result import Result
+from ...pose.places import NOWHERE
+from ...pose.pose import Pose
+from .. import all_forces
+from ..poses import with_lets
+from ..tolerances import FORCE_CHANGE
+from ..unfold import Unfolding
+from ..verdict import CONSTANT, MIXED
 from .cut_free import PointPositions, StaticsSolution, cut_free, sizes_beyond_rounding
 from .diagram import Acting, Diagram, FreeBody, ThreadMotion
-from .poses import with_lets
-from .tolerances import FORCE_CHANGE
-from .unfold import Unfolding
-from .verdict import CONSTANT, MIXED
+from .load_cases import LoadCase, LoadSizes, cases, sizes_of
 
 OTHER, MORE = 1.7, 0.31
 """By what chosen lengths are multiplied to see which forces depend on them, each by more."""

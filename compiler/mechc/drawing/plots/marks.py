@@ -4,14 +4,15 @@ import math
 from collections.abc import Iterator
 from itertools import takewhile
 
-from ..named import NamedTuple
-from ..plot.plot import Curve, Mark
-from ..pose.places import Plane
+from ...base.named import NamedTuple
+from ...plot.plot import Curve, Mark
+from ...pose.places import Plane
+from ..drawing import Arc, Fill, Label, Polyline, TextRun
+from ..labels import AroundPoint
+from ..lettering import SIZE, text_size
+from ..occupied import Occupied, Rectangle
+from ..pens import AXIS, SYMBOL, Pen
 from .axes import at_zero, outline
-from .drawing import AXIS, SYMBOL, Arc, Fill, Label, Pen, Polyline, TextRun
-from .labels import AroundPoint
-from .lettering import SIZE, text_size
-from .occupied import Occupied, Rectangle
 from .panels import PanelLayout, place_of, steps, values_at, ways
 
 NAMED = 6

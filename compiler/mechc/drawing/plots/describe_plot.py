@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 
-from ..formula.names import split_ratio
-from ..plot.plot import Curve, Mark, Plot, PlotAxis
-from ..units import behind
-from .describe import Words
+from ...formula.names import split_ratio
+from ...plot.plot import Curve, Mark, Plot, PlotAxis
+from ...units import behind
+from ..describe import Words
 
 
 def shown(value: float, axis: PlotAxis, digits: int = 4) -> str:

@@ -9,12 +9,12 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import assert_never
 
+from ..base.frozen import frozen
+from ..base.named import NamedTuple
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import frozen
 from ..model.mechanism import Absolute, AlongLine, Arrow, Direction, Geometry, Offset, Slider, Turn
-from ..named import NamedTuple
 from ..pose.places import KnownVector, Plane, PointPlaces, between, direction, placed
 from ..pose.pose import Pose, evaluate_vector
 from .tolerances import LOOP_GAP

@@ -2,8 +2,8 @@
 
 import math
 
-from ..named import NamedTuple
-from .tolerances import ONE_VALUE, SAME_STEP, SAME_WHOLE_NUMBER
+from ...base.named import NamedTuple
+from ..tolerances import ONE_VALUE, SAME_STEP, SAME_WHOLE_NUMBER
 
 TICK_STEPS = (1.0, 2.0, 5.0, 10.0)
 """The steps between ticks, times a power of ten."""

@@ -3,17 +3,17 @@
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
-from ..frozen import replace
-from ..plot.plot import Plot
-from ..pose.places import Plane
-from .arrange import below_each_other
+from ...base.frozen import replace
+from ...plot.plot import Plot
+from ...pose.places import Plane
+from ..arrange import below_each_other
+from ..drawing import Drawing, Polyline, Shape
+from ..lettering import SIZE, text_size
+from ..sheet import Layer, Sheet
 from .axes import grid, heading, label, numbers_below, numbers_beside, outline, rectangle
 from .describe_plot import describe
-from .drawing import Drawing, Polyline, Shape
-from .lettering import SIZE, text_size
 from .marks import curves, dots, poles, values_beside
 from .panels import PanelLayout, common_entry, entry, laid_out
-from .sheet import Layer, Sheet
 
 SAMPLE = 9.0
 """How long a line in the legend is."""

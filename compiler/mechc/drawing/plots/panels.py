@@ -4,15 +4,16 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
-from ..frozen import frozen
-from ..plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis
-from ..pose.places import Plane
+from ...base.frozen import frozen
+from ...plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis
+from ...pose.places import Plane
+from ..drawing import TextRun
+from ..lettering import name
+from ..pens import Pen
+from ..tolerances import SAME_WHOLE_NUMBER
 from .axes import PanelFrame
 from .describe_plot import shown
-from .drawing import Pen, TextRun
-from .lettering import name
 from .ticks import Scale, scale, widened
-from .tolerances import SAME_WHOLE_NUMBER
 
 WIDE, HIGH, LOWER = 110.0, 72.0, 48.0
 """How wide and high a panel is; lower where there are several."""

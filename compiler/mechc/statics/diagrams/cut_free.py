@@ -7,14 +7,14 @@ on it, or one link alone carries it, people draw no pin: it is merged into the l
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
-from ..frozen import frozen, replace
-from .actions import Actions
-from .assembly import AssembledBodies
+from ...base.frozen import frozen, replace
+from ..actions import Actions
+from ..assembly import AssembledBodies
+from ..equations import EquilibriumSystem
+from ..surfaces import FrictionSurfaces
+from ..tolerances import VANISHED
+from ..transfers import PinOnLink
 from .diagram import Acting, FreeBody, Plane
-from .equations import EquilibriumSystem
-from .surfaces import FrictionSurfaces
-from .tolerances import VANISHED
-from .transfers import PinOnLink
 
 PointPositions = Mapping[str, Plane]
 """Where points are drawn."""

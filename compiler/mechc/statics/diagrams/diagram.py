@@ -8,9 +8,9 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Literal
 
-from ..model.parts.joints import MeshKind
-from ..named import NamedTuple
-from ..pose.places import Plane as Plane
+from ...base.named import NamedTuple
+from ...model.parts.joints import MeshKind
+from ...pose.places import Plane as Plane
 
 ActionKind = Literal[
     "load", "pin", "ground", "guide", "slot", "contact", MeshKind, "rope", "friction"

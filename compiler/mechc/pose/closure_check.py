@@ -14,6 +14,7 @@ from ..algebra.modular import ModularPoint
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
+from ..base.named import NamedTuple
 from ..diagnostics import Diagnostic
 from ..diagnostics import open_loops as open_messages
 from ..diagnostics import pose as messages
@@ -23,7 +24,6 @@ from ..formula.tree import Formula
 from ..formula.walk import constants
 from ..model.mechanism import Mechanism, Pivot
 from ..model.values import Values
-from ..named import NamedTuple
 from ..source import Span
 from .pose import Arm, Vector, evaluate_vector
 from .tolerances import LOOP_GAP

@@ -1,0 +1,1 @@
+"""Plots on paper: axes with ticks, panels of curves, marks where these turn or are zero."""
