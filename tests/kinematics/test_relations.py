@@ -11,6 +11,8 @@ from small_poses import (
     RACK,
     SCREW,
     VALUES,
+    arm,
+    at,
     driven_slider,
     form,
     graph,
@@ -130,6 +132,19 @@ def test_a_slider_crank_has_the_equal_projections_of_its_rod():
     assert form(relation.form) == {
         0: pytest.approx(-R * math.sin(turn)),
         1: pytest.approx(-math.cos(VALUES["psi"])),
+    }
+
+
+def test_a_rod_given_by_components_has_equal_products_of_its_ends_velocities_and_itself():
+    """V_A·AB = V_B·AB, with AB = (l, c), V_A = ω·r across the crank and V_B along x."""
+    pose = slider_crank()
+    ends = (*arm("l", at()), *arm("c", at(90)))
+    found = graph(replace(pose, frames={**pose.frames, "AB": {"A": (), "B": ends}}))
+    (relation,) = found.relations
+    sine, cosine = math.sin(VALUES["phi"]), math.cos(VALUES["phi"])
+    assert form(relation.form) == {
+        unknown(found, "OA"): pytest.approx(R * (C * cosine - L * sine)),
+        unknown(found, "B"): pytest.approx(-L),
     }
 
 
