@@ -1,10 +1,15 @@
 """Where loads act, and in what unit their sizes are."""
 
+from fractions import Fraction
+
 import pytest
 
-from by_hand import HERE, force, torque
+from by_hand import HERE, build, force, torque
 from mechc.base.frozen import replace
-from mechc.model.mechanism import ForcePair
+from mechc.formula.evaluate import evaluate
+from mechc.formula.tree import number
+from mechc.model.forces.resultants import with_points_of_resultants
+from mechc.model.mechanism import Drawn, ForcePair, Spread
 from mechc.units import FORCE, TORQUE
 
 FORCE_ON_PIN = force("F", "B")
@@ -62,3 +67,14 @@ def test_a_load_says_against_which_speed_it_works(load, kind, name):
 
 def test_a_couple_alone_is_no_force():
     assert [k.dimension for k in (FORCE_ON_PIN, COUPLE, PAIR)] == [FORCE, TORQUE, FORCE]
+
+
+def test_a_spread_load_between_drawn_ends_acts_at_its_part_of_the_way():
+    """A third of the way from (3, 2) to (9, -1) is (5, 1)."""
+    places = {"A": (3, 2), "B": (9, -1)}
+    drawn = tuple(Drawn(p, number(x), number(y), 0.0, "m", HERE) for p, (x, y) in places.items())
+    spread = Spread("AB", "A", "B", number(1), number(Fraction(1, 3)))
+    load = replace(force("Q", "M"), link="AB", spread=spread)
+    beam = build(places, ["AB"], (), {}, [load], {}, drawn=drawn).mechanism
+    (found,) = with_points_of_resultants(beam).drawn[2:]
+    assert (found.point, evaluate(found.x, {}), evaluate(found.y, {})) == ("M", 5, 1)
