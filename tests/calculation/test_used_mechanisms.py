@@ -307,6 +307,16 @@ def test_what_has_no_value_is_refused(tmp_path: Path) -> None:
     assert "crank.mech:15:1: error[E550]: the requirement fails: " in message
 
 
+def test_of_a_mechanism_the_first_result_without_value_is_named(tmp_path: Path) -> None:
+    two = CRANK.replace("find k = M/F", "find k = M/F\nfind i = F/M")
+    (tmp_path / "crank.mech").write_text(two, encoding="utf-8")
+    sheet = 'sheet s\nuse "crank.mech" as A (l = 20 mm)\nuse "crank.mech" as B (l = 30 mm)\n'
+    (tmp_path / "s.mech").write_text(sheet, encoding="utf-8")
+    first, second = refused(tmp_path / "s.mech")
+    assert "s.mech:2:5: error[E564]: A_k has no value" in first
+    assert "s.mech:3:5: error[E564]: B_k has no value" in second
+
+
 def test_two_of_one_kind_and_a_sheet_between(tmp_path: Path) -> None:
     """The force of one mechanism is given to another, through a sheet that uses both."""
     inner = (
