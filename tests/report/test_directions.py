@@ -5,13 +5,11 @@ import pytest
 from mechc.compilation import Compilation, compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
-from mechc.formula.tree import ZERO, Call, Symbol, degrees, negative, number, product, total
-from mechc.model.mechanism import Require
+from mechc.formula.tree import Call, Symbol, degrees, negative, number, product, total
 from mechc.model.values import completed, defaults
-from mechc.report.definitions import plus_condition
 from mechc.report.directions import NamedDirection, directions, in_results, named
 from mechc.report.text.derivation import render
-from mechc.source import Source, Span
+from mechc.source import Source
 from small_mechanisms import drawn_six_bar
 
 A, B, C = map(Symbol, "abc")
@@ -88,10 +86,3 @@ def test_a_cotangent_of_the_opposite_has_its_minus_before_it() -> None:
 def test_a_constant_keeps_its_place() -> None:
     formula = Call("cos", (total([C, A, B, degrees(30)]),))
     assert text(named(formula, [NamedDirection("d", (A, B))])) == "cos(c + d + pi/6)"
-
-
-def test_a_condition_has_no_minus_before_it() -> None:
-    turned = plus_condition(Require(negative(A), ">", ZERO, Span(0, 0)))
-    assert (turned.left, turned.operator) == (A, "<")
-    kept = Require(total([B, negative(A)]), ">", ZERO, Span(0, 0))
-    assert plus_condition(kept) == kept
