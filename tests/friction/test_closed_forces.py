@@ -153,6 +153,19 @@ def test_at_the_pivot_of_a_crank_under_a_couple_acts_the_force_of_its_rod():
     assert found["R_O_f"] == pytest.approx(math.hypot(found["R_O_x_f"], found["R_O_y_f"]))
 
 
+@pytest.mark.parametrize("size", [50, 5000])
+def test_a_load_on_the_pin_of_a_pivot_is_carried_by_the_ground_alone(size):
+    """The link presses the pin as without it, so that M is the same; the ground holds both."""
+    added = f"force Q at O along y\nlet Q = {size} N\n"
+    shown, found = printed(TURNED + added), mechc.loads(TURNED + added).evaluate(F=F)
+    whole = "F/(1 - f_B*tan(beta_AB + delta_AB))"
+    assert shown["R_O_x_f"] == f"-{whole}"
+    assert "Q" in shown["R_O_y_f"]
+    without = mechc.loads(TURNED).evaluate(F=F)
+    assert found["R_O_y_f"] == pytest.approx(without["R_O_y_f"] - size)
+    assert found["M_over_F_f"] == pytest.approx(without["M_over_F_f"])
+
+
 BESIDE_A_RATIO = """
 pivot O at (0 m, -2 m)
 pivot C at (0 m, -1 m)

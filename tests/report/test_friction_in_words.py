@@ -488,18 +488,18 @@ def headings(source: Source, language: str) -> str:
 @pytest.mark.parametrize(
     ("language", "drives", "held", "opening"),
     [
-        ("en", "M drives", "M is back-driven", "along the arrow of M, which only just holds"),
+        ("en", "M drives", "M is back-driven", "along the arrow of M, which is negative"),
         (
             "uk",
             "прямий хід (рушійний момент M)",
             "зворотний хід (момент M утримує)",
-            "в напрямку моменту M, який",
+            "за стрілкою моменту M, але за наведених значень він від’ємний",
         ),
         (
             "ru",
             "прямой ход (движущий момент M)",
             "обратный ход (момент M удерживает)",
-            "в направлении момента M, который",
+            "по стрелке момента M, но при приведённых значениях он отрицателен",
         ),
     ],
 )
@@ -917,3 +917,27 @@ def test_forces_found_per_unit_of_the_only_load_are_multiplied_by_it():
 
 def test_what_is_per_unit_has_no_number_where_the_load_has_none():
     assert not [line for line in toggle("") if line.startswith("S_BK = ") and line[-1].isdigit()]
+
+
+NEGATIVE = """
+param alpha = 15 deg in 3 deg .. 40 deg
+pivot O at (0 mm, 0 mm)
+slider K along y through O
+link OB
+link BK
+OB = 200 mm @ -90 deg - alpha
+BK = 200 mm
+assembly K back
+force P at B along -x
+force F at K along y
+friction pins 0.1 diameter 30 mm
+find k = P/F
+"""
+
+
+def test_a_drive_that_is_negative_is_said_to_act_against_its_arrow():
+    """The arrow of P points the other way: along it the press opens, and P only slows that."""
+    compilation = compile_source(Source("toggle.mech", NEGATIVE))
+    shown = " ".join(render(compilation.reported, compilation.mechanism).split())
+    assert "along the arrow of P, which is negative at the values given: it only just" in shown
+    assert "against the arrow of P, which is negative at the values given and so drives" in shown

@@ -20,6 +20,7 @@ from mechc.report.sections import outline
 from mechc.report.sentences.speller import own_names
 from mechc.report.sentences.wording import position_sentences
 from mechc.report.steps import PositionStep
+from mechc.report.text.derivation import render
 from mechc.report.text.speller import speller
 from mechc.source import Source
 from small_mechanisms import slider_crank
@@ -475,3 +476,35 @@ def test_a_drawn_cylinder_in_a_loop_is_no_slot_and_its_direction_has_its_name():
     (step,) = Compilation(Source("lift.mech", lift)).derivation.position
     assert (step.kind, step.part) == ("cylinder", "EG")
     assert [d.name for d in step.definitions] == ["phi_EG"]
+
+
+EQUAL_NUMBERS = """
+param phi = 100 deg in 20 deg .. 160 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (44 mm, 0 mm)
+link OA
+link AB
+link QB
+OA = 20 mm @ phi
+AB = 54 mm
+QB = {rocker} mm
+assembly ABQ cw
+drive phi from 20 deg to 160 deg
+torque M on OA
+torque T on QB
+find k = M/T
+"""
+
+
+@pytest.mark.parametrize(
+    ("rocker", "angle"),
+    [
+        (54, "μ_B = arccos((2 · AB² − AQ²) / (2 · AB²))"),
+        (53, "μ_B = arccos((AB² + QB² − AQ²) / (2 · AB · QB))"),
+    ],
+)
+def test_sides_that_are_equal_by_their_numbers_have_the_law_of_cosines_too(rocker, angle):
+    compilation = Compilation(Source("m.mech", EQUAL_NUMBERS.format(rocker=rocker)))
+    shown = render(compilation.derivation, compilation.mechanism)
+    assert angle in shown
+    assert "atan2(√" not in shown

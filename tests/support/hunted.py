@@ -1,5 +1,6 @@
 """Random mechanisms of every kind that the tests can make, by the seed of each."""
 
+import re
 from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
@@ -106,6 +107,21 @@ def joined(seed: int) -> Made:
     return Made(text, flat=toggle(text))
 
 
+def loaded_pivot(seed: int) -> str | None:
+    """Return a mechanism with friction that has a load on the pin of a pivot, whose force is asked.
+
+    The ground alone carries that load: the pin rubs under what the link presses it with.
+    """
+    found = (opened, small_closed, chain)[seed % 3](seed)
+    text = found.text if isinstance(found, Made) else found
+    pivots = re.findall(r"^pivot (\w+)", text or "", re.MULTILINE)
+    if not text or not pivots:
+        return None
+    rng = Random(seed)
+    pivot, angle, size = rng.choice(pivots), rng.uniform(-3, 3), rng.choice((0.3, 2, 90))
+    return f"{text}\nforce W99 at {pivot} along {angle} rad\nlet W99 = {size} N\nfind R_{pivot}\n"
+
+
 KINDS: dict[str, Callable[[int], Made | str | None]] = {
     "chain": lambda seed: Chain(seed).text,
     "chain of equal links": lambda seed: Chain(seed, equal=True).text,
@@ -128,6 +144,7 @@ KINDS: dict[str, Callable[[int], Made | str | None]] = {
     "special driven": driven,
     **{kind: (lambda seed, kind=kind: other(kind, seed)) for kind in OTHER_KINDS},
     "joined": joined,
+    "loaded pivots": loaded_pivot,
 }
 """How a mechanism of each kind is made; some seeds have none."""
 

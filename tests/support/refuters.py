@@ -196,7 +196,7 @@ def statuses(made: Compilation) -> Iterator[str]:
         if call is None or not isinstance(target, WithFriction) or not functions[name].status:
             continue
         real, ideal = functions[name], functions[named[target.of]]
-        values = {**drawn(ideal), **drawn(real)}
+        values = {**drawn(real.status), **drawn(ideal), **drawn(real)}
         found = call(f"{name}_status_n", [i.name for i in real.status.inputs], np.intc, values)
         expected = np.broadcast_to(status(real, ideal, values), POSES)
         if not np.array_equal(np.broadcast_to(found, POSES), expected):

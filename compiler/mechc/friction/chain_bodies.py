@@ -141,6 +141,14 @@ class Bodies:
                         self._refuse_on_rod(place, body)
                     yield BodyForce(owner, place, line, size)
 
+    def loads_at(self, pivot: str) -> Iterator[BodyForce]:
+        """Yield the loads on the pin of a pivot itself, which the ground alone carries."""
+        for load in self.mechanism.loads:
+            owner, factor = self.task.owners[load.name]
+            for place, _, line in self._acting(load):
+                if place == pivot and line is not None:
+                    yield BodyForce(owner, place, line, factor.scaled(self._part(load)))
+
     def _acting(self, load: Load) -> Iterator[tuple[str, str, Angle | None]]:
         """Yield where a load acts, on which link if that is said, and along which line."""
         if not load.pushes:
@@ -195,7 +203,7 @@ class Bodies:
 
     def rack(self, name: str) -> Rack | None:
         """Return the rack whose force is called so."""
-        return next((r for r in self.mechanism.each(Rack) if f"T_{r.point}" == name), None)
+        return next((r for r in self.mechanism.each(Rack) if f"S_{r.point}" == name), None)
 
     def contact(self, name: str) -> PointContact | None:
         """Return the slot or contact whose force is called so."""

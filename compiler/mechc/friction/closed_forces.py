@@ -300,7 +300,8 @@ def _of_pivot(point: str, solver: SequentialSolver) -> tuple[StepKind, str, Sign
     links = [k for k in solver.bodies.mechanism.links if point in k.points]
     if len(links) != 1:
         raise EquationsCoupled
-    return _at_pin(JointRef("pin", point, links[0].name), solver)
+    kind, body, forces = _at_pin(JointRef("pin", point, links[0].name), solver)
+    return kind, body, (*forces, *((load, -1) for load in solver.bodies.loads_at(point)))
 
 
 # -------------------------------------------------------------------------------- frictions

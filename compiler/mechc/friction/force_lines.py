@@ -40,9 +40,9 @@ class ForceLines:
         for rack, is_wheel in self._bodies.racks_at(body):
             along = self._bodies.pose.moved_along(rack.point)
             if is_wheel:
-                yield BodyForce(f"T_{rack.point}", pitch(rack), along + HALF_TURN)
+                yield BodyForce(f"S_{rack.point}", pitch(rack), along + HALF_TURN)
             else:
-                yield BodyForce(f"T_{rack.point}", rack.point, along, self._passed_on(rack))
+                yield BodyForce(f"S_{rack.point}", rack.point, along, self._passed_on(rack))
 
     def of_rod(self, rod: Link, point: str) -> BodyForce:
         """Return the force of a rod, under a unit axial force, on the body at a point."""

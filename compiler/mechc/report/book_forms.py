@@ -112,6 +112,17 @@ def book_form(formula: Formula, positive: Set[str], ranges: Ranges = NO_RANGES) 
             return whole
 
 
+def has_heron(formula: Formula) -> bool:
+    """Return whether an angle of a formula is found by the root of Heron's formula.
+
+    >>> x, size = Symbol("x"), Call("sqrt", (Symbol("y"),))
+    >>> has_heron(Call("atan2", (size, x))), has_heron(Call("acos", (x,)))
+    (True, False)
+    """
+    angles = (part for part in walk(formula) if is_call(part, "atan2"))
+    return any(is_call(side, "sqrt") for angle in angles for side in children(angle))
+
+
 def _halved(x: Formula, y: Formula, positive: Set[str], ranges: Ranges) -> Arm | None:
     """Return a vector that is the sum of two equal arms as one arm.
 
@@ -196,7 +207,8 @@ def _per(side: Formula, size: Product) -> Formula:
     if not any(isinstance(factor, FactoredSum) for factor in one.factors):
         return one.formula()
     if isinstance(side, Sum):
-        return quotient(_minus_last(side), size.formula())
+        is_twice = len({*side.terms}) < len(side.terms)
+        return quotient(whole.formula() if is_twice else _minus_last(side), size.formula())
     scale = 1 / abs(Fraction(whole.coefficient))
     above, below = (part.scaled(scale).formula() for part in (whole, size))
     if isinstance(opposite := negative(above), Sum):

@@ -27,7 +27,7 @@ from ..formula.walk import substitute, walk
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Require
 from ..model.result import Definition, Result
 from ..model.values import is_constant, user_defined
-from ..units import ANGLE, NUMBER, UNITS, si_unit
+from ..units import ANGLE, LENGTH, NUMBER, UNITS, si_unit
 from . import book_forms
 from .digits import VALUE_DIGITS
 
@@ -81,7 +81,8 @@ class NameLetters:
 
     ``usual`` are the weights by the usual g, ``units`` those of what is given by a number,
     ``positive`` the lengths that are never negative, ``choices`` those of a description as they
-    are written, in their units, ``ranges`` the least and the greatest values of angles.
+    are written, in their units, ``ranges`` the least and the greatest values of angles. ``alike``
+    gives the first of lengths that have one number for the others.
     """
 
     usual: frozenset[str]
@@ -89,6 +90,7 @@ class NameLetters:
     positive: frozenset[str]
     choices: Mapping[str, Formula]
     ranges: "book_forms.Ranges"
+    alike: Mapping[str, Formula]
 
 
 def letters(
@@ -100,7 +102,18 @@ def letters(
     where = (*others, *(d for r in found for d in r.where))
     positive = book_forms.positive_names(mechanism, where)
     choices, ranges = dict(_choices(mechanism)), book_forms.angle_ranges(mechanism)
-    return NameLetters(usual_weights(mechanism), units, positive, choices, ranges)
+    alike = dict(_alike(mechanism))
+    return NameLetters(usual_weights(mechanism), units, positive, choices, ranges, alike)
+
+
+def _alike(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
+    """Yield the lengths given by a number that an earlier one has, with the name of that."""
+    first: dict[Formula, Formula] = {}
+    for literal in mechanism.literals:
+        if literal.value is not None and literal.dimension == LENGTH:
+            own = Constant(literal.name, literal.value)
+            if (known := first.setdefault(literal.value, own)) != own:
+                yield literal.name, known
 
 
 def _choices(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
@@ -127,12 +140,24 @@ def _as_written(definition: Definition, known: NameLetters) -> Definition:
     if name in known.choices:
         return Definition(name, known.choices[name])
     if unit is None or not isinstance(formula, Number):
-        book = book_forms.book_form(formula, known.positive, known.ranges)
-        return Definition(name, over_line(book))
+        return Definition(name, over_line(_in_book_form(formula, known)))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
     is_short = value.denominator < 10**VALUE_DIGITS
     shown = value if is_short else Fraction(f"{float(value):.{VALUE_DIGITS}g}")
     return Definition(name, _measure(shown))
+
+
+def _in_book_form(formula: Formula, known: NameLetters) -> Formula:
+    """Return a formula as books have it: where sides are equal by their numbers alone, by one name.
+
+    What was put in for one of them, b + c - a = c, leaves no law of cosines otherwise.
+    """
+    book = book_forms.book_form(formula, known.positive, known.ranges)
+    if book_forms.has_heron(book) and known.alike:
+        one = substitute(formula, known.alike)
+        other = book_forms.book_form(one, known.positive, known.ranges)
+        return book if book_forms.has_heron(other) else other
+    return book
 
 
 def _measure(value: Fraction) -> Formula:

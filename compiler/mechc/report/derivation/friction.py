@@ -181,6 +181,12 @@ _HELD_BACK: Mapping[Sense, SentenceKind] = {
     "tightening": SentenceKind.TIGHTENING_HELD_BACK,
     "releasing": SentenceKind.RELEASING_HELD_BACK,
 }
+_NEGATIVE: Mapping[SentenceKind, SentenceKind] = {
+    SentenceKind.TIGHTENING_HELD_BACK: SentenceKind.TIGHTENING_NEGATIVE,
+    SentenceKind.RELEASING: SentenceKind.RELEASING_NEGATIVE,
+}
+"""What is said of a drive that acts against its arrow."""
+
 _RETURNS: Mapping[Sense, SentenceKind] = {
     "tightening": SentenceKind.TIGHTENING_THE_RETURN,
     "releasing": SentenceKind.RELEASING_THE_RETURN,
@@ -221,7 +227,10 @@ def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragr
     elif is_by_other and isinstance(target.of, LoadRatio):
         named = {"drive": Symbol(target.of.below), "load": drive}
         return Paragraph(SentenceKind.RELEASING_BY_LOAD, formulas=named)
-    return Paragraph(ways[target.sense], formulas={"drive": drive})
+    way = ways[target.sense]
+    if result.default is not None and result.default < 0:
+        way = _NEGATIVE.get(way, way)
+    return Paragraph(way, formulas={"drive": drive})
 
 
 def _loads(target: WithFriction, steps: Sequence[FrictionStep], pose: Pose) -> Iterator[Paragraph]:
@@ -262,7 +271,7 @@ def _how(steps: Sequence[FrictionStep], pose: Pose) -> Iterator[Paragraph]:
             names = {"point": (touch.point,), "link": (touch.body,)}
             yield Paragraph(SentenceKind.FORCE_OF_TOUCH, names=names, formulas={"force": force})
     for rack in mechanism.each(Rack):
-        force, joint = Symbol(f"T_{rack.point}"), {"pivot": (rack.pivot,), "point": (rack.point,)}
+        force, joint = Symbol(f"S_{rack.point}"), {"pivot": (rack.pivot,), "point": (rack.point,)}
         if force.name in used:
             yield Paragraph(SentenceKind.FORCE_OF_RACK, names=joint, formulas={"force": force})
     if mechanism.symmetries:

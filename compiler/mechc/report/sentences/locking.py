@@ -45,15 +45,17 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
         yield from _locking(result, result.locking, locale, spell)
     for efficiency in result.efficiency_ranges:
         yield _efficiency_range(result, efficiency, locale, spell)
+    usual = list[str]()
     if any(
         efficiency.least != efficiency.greatest and efficiency.is_of_joints
         for efficiency in result.efficiency_ranges
     ):
-        yield locale.why_usual
+        usual = [locale.why_usual]
     reaches = result.locking.reaches if result.locking else ()
     shown = [s for reach in reaches for s in reach.of_interest if _is_shown(s, reach)]
     if result.efficiency_ranges or any(part.sampled for part in shown):
         yield locale.sampled
+    yield from usual
 
 
 def _locking(result: Analysis, locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:

@@ -77,6 +77,11 @@ WORDS = {
     "in every joint.",
     "releasing, by the load": "{drive} drives, and the motion is against the arrow of {load}; "
     "friction opposes the sliding in every joint.",
+    "tightening, negative": "The motion is along the arrow of {drive}, which is negative at the "
+    "values given: it only just holds the motion back; friction opposes the sliding in every "
+    "joint.",
+    "releasing, negative": "The motion is against the arrow of {drive}, which is negative at the "
+    "values given and so drives it; friction opposes the sliding in every joint.",
     "pin friction": "The friction in a pin is a couple: the force on the pin times the radius "
     "{radius} of the friction circle.",
     "guide friction": "The friction of a guide is its coefficient times the normal force.",
