@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import mechc
+from hunted import made
 from mechc.formula.evaluate import evaluate
 from mechc.formula.numeric.rounding import Rounding
 from mechc.formula.tree import Call, Power, Product, Symbol, number, product, total
@@ -309,3 +310,13 @@ def test_a_jump_too_small_to_be_shown_has_no_minimum_and_maximum():
     assert 1e-7 < after - before < 1e-6
     extrema = of(mechanism.stroke(3), "eta_k")
     assert [(e.kind, round(e.value, 4)) for e in extrema] == [("maximum", 0.9922)]
+
+
+def test_a_sign_that_is_rounding_all_along_hides_no_extremum():
+    """Nothing presses the pins of a rod in its own slot: the sign of that is none at all."""
+    mechanism = mechc.loads(made("closed with friction", 220000953).text)
+    before, here, after = mechanism.evaluate(phi=[2.8999, 2.9019, 2.9039])["k_f"]
+    assert before > here < after
+    assert [e.kind for e in of(mechanism.stroke(3), "k_f") if abs(e.drive - 2.9019) < 1e-3] == [
+        "minimum"
+    ]

@@ -5,7 +5,7 @@ A result is zero all over a part where a loop folds, and what it leads rests.
 
 import math
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 
 from ...formula.numeric.roots import spaced
@@ -56,22 +56,43 @@ def is_turning(found: Extremum, result: Result, along: Sweep, grid: Sequence[flo
     """Return whether a result turns by more than what rounding may have made of its values.
 
     Near a branch point rounding may be larger than what the result changes by. Where friction
-    turns round the bound holds for either sign of it, so that it is taken from next to there.
+    turns round the bound holds for either sign of it, so that it is taken from next to there. A
+    sign may be that of rounding all along, as of a joint that nothing presses: where it is the same
+    on both sides, it is held.
     """
+    around = _around(found, grid)
+    if _exceeds(found, around, lambda x: _error(x, result, along), result, along, grid):
+        return True
+    here = _senses(found.drive, result, along)
+    alike = [p for p in around if all(_senses(x, result, along) == here for x in p)] if here else []
+    return _exceeds(found, alike, lambda x: _error_by_senses(x, result, along), result, along, grid)
+
+
+def _around(found: Extremum, grid: Sequence[float]) -> list[tuple[float, float]]:
+    """Return the values of a grid on both sides of an extremum, farther and farther away."""
+    left, right = bisect_left(grid, found.drive), bisect_right(grid, found.drive) - 1
+    return [(grid[max(left - n, 0)], grid[min(right + n, len(grid) - 1)]) for n in ASIDE]
+
+
+def _exceeds(
+    found: Extremum,
+    around: Iterable[tuple[float, float]],
+    error_at: Callable[[float], float],
+    result: Result,
+    along: Sweep,
+    grid: Sequence[float],
+) -> bool:
+    """Return whether values on both sides go beyond an extremum by more than errors."""
     sense = 1 if found.kind == "minimum" else -1
     step = NEARBY[0] * (grid[-1] - grid[0])
-    error = min(_error(found.drive + side * step, result, along) for side in (-1, 0, 1))
-    least, last = found.value + sense * error, len(grid) - 1
+    error = min(error_at(found.drive + side * step) for side in (-1, 0, 1))
+    least = found.value + sense * error
 
     def is_beyond(x: float) -> bool:
-        beside = along.of(result.formula, result, x) - sense * _error(x, result, along)
+        beside = along.of(result.formula, result, x) - sense * error_at(x)
         return sense * beside > sense * least
 
-    left, right = bisect_left(grid, found.drive), bisect_right(grid, found.drive) - 1
-    return any(
-        is_beyond(grid[max(left - step, 0)]) and is_beyond(grid[min(right + step, last)])
-        for step in ASIDE
-    )
+    return any(is_beyond(left) and is_beyond(right) for left, right in around)
 
 
 def _error(x: float, result: Result, along: Sweep) -> float:
@@ -79,6 +100,30 @@ def _error(x: float, result: Result, along: Sweep) -> float:
     form = along.form_at(result, x)
     error = with_error(form.formula, form.where, along.rounding(x)).error
     return error if math.isfinite(error) else 0.0
+
+
+def _error_by_senses(x: float, result: Result, along: Sweep) -> float:
+    """Return the same bound if signs of slips and forces are what they are found to be."""
+    error = _by_senses(x, result, along).of(along.form_at(result, x).formula).error
+    return error if math.isfinite(error) else 0.0
+
+
+def _senses(x: float, result: Result, along: Sweep) -> tuple[float, ...]:
+    """Return the signs of slips and forces that a result rests on."""
+    where, found = along.form_at(result, x).where, _by_senses(x, result, along).values
+    return tuple(found[d.name].value for d in where if is_sign(d.formula) and d.name in found)
+
+
+def _by_senses(x: float, result: Result, along: Sweep) -> Rounding:
+    """Return the definitions of a result with their errors, but for those of signs."""
+    where, known = along.form_at(result, x).where, along.rounding(x).values
+    own, held = {d.name for d in where}, Rounding({})
+    held.values.update((name, value) for name, value in known.items() if name not in own)
+    for definition in where:
+        held.define([definition])
+        if is_sign(definition.formula) and definition.name in held.values:
+            held.values[definition.name] = held.values[definition.name]._replace(error=0.0)
+    return held
 
 
 def is_zero(result: Result, along: Sweep, stretch: StrokeInterval) -> bool:
