@@ -941,3 +941,35 @@ def test_a_drive_that_is_negative_is_said_to_act_against_its_arrow():
     shown = " ".join(render(compilation.reported, compilation.mechanism).split())
     assert "along the arrow of P, which is negative at the values given: it only just" in shown
     assert "against the arrow of P, which is negative at the values given and so drives" in shown
+
+
+FOUR_BAR = """
+param phi = 60 deg in 30 deg .. 100 deg
+pivot O at (0 mm, 0 mm)
+pivot C at (120 mm, 0 mm)
+link OA
+link AB
+link CBD
+OA = 30 mm @ phi
+AB = 100 mm
+CB = 80 mm
+CD = 140 mm @ CB
+assembly ABC cw
+drive phi from 30 deg to 100 deg
+torque M on OA
+force F at D along perp BC
+friction pins 0.1 diameter 12 mm
+find k = M/F
+find R_C
+find R_O
+"""
+
+
+def test_a_force_that_a_quadratic_equation_gives_is_found_once():
+    """S_AB, per unit of F, is its root; what the pivots carry rests on it, times F."""
+    compilation = compile_source(Source("press.mech", FOUR_BAR))
+    shown = render(compilation.reported, compilation.mechanism, unicode=False)
+    assert shown.count("S_AB_f = ") == 1
+    assert "S_AB_f = F * S_AB\n" in shown
+    assert shown.count("Squaring gives a quadratic equation") == 2  # of k_f and of k_hold
+    assert "R_O_f = S_AB_f\n" in shown

@@ -213,8 +213,11 @@ IDLE = 1e-12
 
 
 def _load_ratio(above: str, below: str, columns: dict[str, Array]) -> float:
-    """Return the ratio of two loads that balance; NaN where neither does any work."""
-    names = list(columns)
+    """Return the ratio of two loads that balance; NaN where neither does any work.
+
+    A load on the pin of a pivot has no part in it.
+    """
+    names = [n for n in columns if n in (above, below) or np.abs(columns[n]).max() > IDLE]
     if max(np.abs(columns[name]).max() for name in (above, below)) < IDLE:
         return math.nan
     balanced = null_space(np.column_stack([columns[name] for name in names]))

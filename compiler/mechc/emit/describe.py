@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from unicodedata import category
 
 from ..formula.to_text import text
-from ..formula.tree import Formula, Number
+from ..formula.tree import Constant, Formula, Number, Product
 from ..formula.walk import symbols
-from ..model.mechanism import Mechanism
+from ..model.mechanism import GRAVITY, Mechanism
 from ..model.result import Definition
 from ..report.definitions import SolvedSystem, grouped
 from ..routine.steps import Checks, Function, Guard, Input, Routine
@@ -150,7 +150,19 @@ def _group_lines(group: Definition | SolvedSystem, units: Mapping[str, str]) -> 
 
 
 def _value(formula: Formula) -> str:
-    return f"{float(formula.value):.9g}" if isinstance(formula, Number) else text(formula)
+    """Return a formula in a comment: a number, and the usual g in a weight, as decimals.
+
+    >>> from ..formula.tree import Symbol, product
+    >>> _value(product([(Symbol("m"), 1), (GRAVITY, 1)]))
+    '9.80665*m'
+    """
+    match formula:
+        case Number(value):
+            return f"{float(value):.9g}"
+        case Product((Number() as g, *others)) if g == GRAVITY:
+            return text(Product((Constant(f"{float(g.value):.9g}", g), *others)))
+        case _:
+            return text(formula)
 
 
 def condition_lines(function: Function) -> list[str]:

@@ -4,7 +4,7 @@ What a joint passes on follows from the bodies that the chain has solved, or, wh
 guides and faces has friction, from what presses them.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Protocol
 
 from ..algebra.angle import QUARTER, Angle
@@ -163,7 +163,7 @@ class OfBodies:
         ends = [
             i
             for i, step in enumerate(self._solver.steps)
-            if any(left in needed for left, _ in step.equations)
+            if not needed.isdisjoint(_solved_for(step))
         ]
         return tuple(self._solver.steps[: max(ends, default=-1) + 1])
 
@@ -224,6 +224,12 @@ class OfBodies:
         if name not in self._solver.sizes:
             raise EquationsCoupled
         return self._solver.sizes[name]
+
+
+def _solved_for(step: FrictionStep) -> Iterator[Formula]:
+    """Yield what a step finds: the root of a quadratic equation is defined beside it."""
+    yield from (left for left, _ in step.equations)
+    yield from (Symbol(definition.name) for definition in step.defined)
 
 
 PUT_IN_OPERATIONS = 8

@@ -105,6 +105,7 @@ def _results(
 ) -> Iterator[Section]:
     """Yield the sections of results, each with what was not stated in an earlier one."""
     lines = own_lines(mechanism, derivation.results)
+    stated = {*lines}
     for explanation, results in _by_explanation(derivation, _found(derivation, mechanism)):
         earlier.equations(explanation)
         rested = earlier.new_definitions(
@@ -112,7 +113,8 @@ def _results(
         )
         named = _by_their_parts(results, explanation)
         results = [in_short(r, derivation.results) for r in named]
-        needed = (d for r in results for d in earlier.of(r, lines))
+        stated.update(explanation.times_the_load())
+        needed = (d for r in results for d in earlier.of(r, stated))
         fresh = [*rested, *needed]
         conditioned = earlier.conditioned(_conditioned_once(results))
         once = earlier.said_once(conditioned, known.positive)

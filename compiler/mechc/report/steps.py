@@ -125,6 +125,12 @@ class Explanation:
     paragraphs: tuple[Paragraph, ...]
     where: tuple[Definition, ...] = ()
 
+    def times_the_load(self) -> Iterator[str]:
+        """Yield the names of forces that are those per unit of a load, times the load."""
+        for paragraph in self.paragraphs:
+            if paragraph.sentence is SentenceKind.TIMES_THE_LOAD:
+                yield from (name for e in paragraph.equations for name in symbols(e.left))
+
 
 class SpeedChain(NamedTuple):
     """The ratio of two speeds as a product of ratios found one after another: ``V_K/V_A``."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from ...algebra.from_formula import to_product
 from ...base.frozen import replace
 from ...formula.tree import ONE, ZERO, Formula, Symbol, is_call, product
 from ...formula.walk import substitute, symbols
@@ -80,20 +81,23 @@ class EarlierSteps:
         return steps
 
     def multiplied(self, steps: Sequence[FrictionStep]) -> tuple[Symbol, list[Equation]] | None:
-        """Return a load, and the forces of steps as it times those that were found per unit of it.
+        """Return a load, and the forces of a last step as it times those found per unit of it.
 
         They are so where each has the same formula for a load of 1: with one load all forces are
-        proportional to it. None where they are not.
+        proportional to it. None where they are not, and where nothing is found before that step.
         """
-        forces = [force for force, _ in _forces(steps)]
+        *before, last = steps
+        found = list(_in_order(before))
+        met = symbols(*(side for pair in last.equations for side in pair))
         for load, per_unit in self._per_unit.items():
             ones: dict[str, Formula] = {load: ONE}
-            for left, right in _in_order(steps):
-                if one := per_unit.get(substitute(right, ones)):
-                    ones[left.name] = one
-            if forces and all(force.name in ones for force in forces):
+            for left, right in found:
+                of_one = substitute(right, ones)
+                ones[left.name] = _named(of_one, per_unit) or of_one
+            wanted = [f for f, _ in found if f.name in met and ones[f.name] != f]
+            if wanted and all(ones[f.name] in per_unit.values() for f in wanted):
                 unit = Symbol(load)
-                times = ((f, product([(unit, 1), (ones[f.name], 1)])) for f in forces)
+                times = ((f, product([(unit, 1), (ones[f.name], 1)])) for f in wanted)
                 return unit, [Equation(*pair) for pair in times]
         return None
 
@@ -164,6 +168,14 @@ def _forces(steps: Iterable[FrictionStep]) -> Iterator[tuple[Symbol, Formula]]:
         for left, right in step.equations:
             if isinstance(left, Symbol) and left.name not in named and right != ZERO:
                 yield left, right
+
+
+def _named(formula: Formula, names: Mapping[Formula, Formula]) -> Formula | None:
+    """Return the name that a formula has among others, written another way or not."""
+    if formula in names:
+        return names[formula]
+    whole = to_product(formula)
+    return next((name for other, name in names.items() if to_product(other) == whole), None)
 
 
 def _in_order(steps: Iterable[FrictionStep]) -> Iterator[tuple[Symbol, Formula]]:

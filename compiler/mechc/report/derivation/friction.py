@@ -90,9 +90,9 @@ def _explanation(
         return Explanation(names, ())
     steps = earlier.enter_forces(_steps(solved), place, names[0])
     steps = [_with_result(step, place, names[0]) for step in steps]
-    known = earlier.multiplied(steps[:-1]) if driving(place) is None else None
+    known = earlier.multiplied(steps) if driving(place) is None else None
     steps = [steps[-1]] if known else earlier.enter_equations(steps, place)
-    paragraphs = [*_times_the_load(*known, steps[-1], earlier)] if known else []
+    paragraphs = [*_times_the_load(*known, earlier)] if known else []
     paragraphs += [p for step in steps for p in _paragraphs(step, earlier, place, names[0])]
     first = solved[0].result
     if steps[0].kind == "iterated" and driving(place):
@@ -103,12 +103,10 @@ def _explanation(
 
 
 def _times_the_load(
-    load: Symbol, forces: Iterable[Equation], last: FrictionStep, earlier: EarlierSteps
+    load: Symbol, forces: Iterable[Equation], earlier: EarlierSteps
 ) -> Iterator[Paragraph]:
-    """Yield the forces that a last step has, as they follow from those per unit of a load."""
-    met = _met([last])
-    needed = (e for e in forces if not met.isdisjoint(symbols(e.left)))
-    if lines := tuple(earlier.enter_lines(needed)):
+    """Yield the forces that follow from those per unit of a load, those that are not stated yet."""
+    if lines := tuple(earlier.enter_lines(forces)):
         yield Paragraph(SentenceKind.TIMES_THE_LOAD, lines, formulas={"load": load})
 
 
