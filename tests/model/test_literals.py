@@ -1,5 +1,6 @@
 """Lengths that a description gives by numbers: named, listed, decided by their value."""
 
+import json
 import math
 import re
 
@@ -258,3 +259,17 @@ def test_the_sizes_of_a_joint_are_named_and_come_back_in_their_order(joint, size
     assert joint.with_sizes([formula for *_, formula in sizes]) == joint
     others = [Symbol(f"n{i}") for i in range(len(sizes))]
     assert [size.formula for size in joint.with_sizes(others).sizes] == others
+
+
+def test_the_comment_behind_a_length_is_its_label():
+    """A line of two coordinates has none: its comment is on the point."""
+    lines = [
+        *("pivot O at (1 mm, 2 mm)  # the axle", "link OA"),
+        *("OA = 30 mm @ 60 deg  # crank radius", "slider A along 150 deg"),
+        *("torque M on OA", "force F at A along x", "find k = M/F"),
+    ]
+    solved = mechc.loads("\n".join(lines))
+    constants = json.loads(solved.emit("json"))["constants"]
+    assert {c["name"]: c["label"] for c in constants}["len_OA"] == "crank radius"
+    assert [c["label"] for c in constants if c["name"].startswith(("x_", "y_"))] == ["", ""]
+    assert r"$30\,\text{mm}$, crank radius" in solved.emit("latex")

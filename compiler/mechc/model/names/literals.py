@@ -44,6 +44,9 @@ from ..mechanism import (
 )
 from .scope import NamedNumber
 
+COORDINATES = ("x", "y")
+"""The kinds of lengths of which a line gives two."""
+
 LengthKey = tuple[str, str, Formula]
 """A number of metres: the kind of length, whose it is, and the number."""
 
@@ -98,7 +101,8 @@ def with_names(mechanism: Mechanism, file: ast.File, named: Collection[NamedNumb
     for literal in literals:
         symbol = Constant(_free(literal.name, taken), literal.formula)
         known[literal.key] = symbol
-        parameters.append(_parameter(symbol, LENGTH, literal.span, written))
+        quantity = _parameter(symbol, LENGTH, literal.span, written)
+        parameters.append(replace(quantity, label=_label(literal, file)))
     return _put(replace(mechanism, literals=tuple(parameters)), LengthNaming(known, measures))
 
 
@@ -279,6 +283,14 @@ def _parameter(
     anywhere = next((n.unit for n in fitting), si_unit(dimension))
     unit = next(exact, next(iter(units), anywhere))
     return Parameter(symbol.name, dimension, place, symbol.value, unit=unit)
+
+
+def _label(length: NamedLength, file: ast.File) -> str:
+    """Return the comment behind the line that gives a length, '' of one that gives two."""
+    if length.kind in COORDINATES:
+        return ""
+    lines = (s for s in file.statements if s.span.start <= length.span.start < s.span.end)
+    return next((line.remark for line in lines), "")
 
 
 def _written(node: object) -> Iterator[ast.Number]:

@@ -151,7 +151,7 @@ def _vector_row(
 def _length(
     entry: Arrow, literals: Mapping[str, Parameter], locale: Locale, style: LatexNotation
 ) -> str:
-    """Return a vector's length; a number with its unit, and the name of the first such length."""
+    """Return a length with its unit and its text, or by the first name of such a number."""
     if entry.length is None:
         return ""
     symbol = latex(entry.length, style)
@@ -159,7 +159,9 @@ def _length(
         return math(symbol)
     literal = literals[entry.length.name]
     value = quantity(entry.length.value, literal.dimension, literal.unit, locale, style)
-    return math(value if _is_own(entry) else f"{symbol}={value}")
+    if not _is_own(entry):
+        return math(f"{symbol}={value}")
+    return ", ".join((math(value), *([translated(literal.label, style)] if literal.label else [])))
 
 
 def _is_own(entry: Arrow) -> bool:
