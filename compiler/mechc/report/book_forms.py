@@ -115,6 +115,7 @@ def book_form(formula: Formula, positive: Set[str], ranges: Ranges = NO_RANGES) 
 def has_heron(formula: Formula) -> bool:
     """Return whether an angle of a formula is found by the root of Heron's formula.
 
+    >>> from ..formula.tree import Symbol
     >>> x, size = Symbol("x"), Call("sqrt", (Symbol("y"),))
     >>> has_heron(Call("atan2", (size, x))), has_heron(Call("acos", (x,)))
     (True, False)
