@@ -879,7 +879,7 @@ link BK
 OB = 200 mm @ -90 deg - alpha
 BK = 200 mm
 assembly K back
-force P at B along x
+force P at B along {way}
 force F at K along y
 friction pins 0.1 diameter 30 mm
 friction slider K 0.1
@@ -889,8 +889,8 @@ find R_O
 """
 
 
-def toggle(value="let F = 3 kN"):
-    compilation = compile_source(Source("toggle.mech", TOGGLE.format(value=value)))
+def toggle(value="let F = 3 kN", way="x"):
+    compilation = compile_source(Source("toggle.mech", TOGGLE.format(value=value, way=way)))
     shown = render(compilation.reported, compilation.mechanism, unicode=False)
     return [" ".join(line.split()) for line in shown.splitlines()]
 
@@ -919,26 +919,9 @@ def test_what_is_per_unit_has_no_number_where_the_load_has_none():
     assert not [line for line in toggle("") if line.startswith("S_BK = ") and line[-1].isdigit()]
 
 
-NEGATIVE = """
-param alpha = 15 deg in 3 deg .. 40 deg
-pivot O at (0 mm, 0 mm)
-slider K along y through O
-link OB
-link BK
-OB = 200 mm @ -90 deg - alpha
-BK = 200 mm
-assembly K back
-force P at B along -x
-force F at K along y
-friction pins 0.1 diameter 30 mm
-find k = P/F
-"""
-
-
 def test_a_drive_that_is_negative_is_said_to_act_against_its_arrow():
     """The arrow of P points the other way: along it the press opens, and P only slows that."""
-    compilation = compile_source(Source("toggle.mech", NEGATIVE))
-    shown = " ".join(render(compilation.reported, compilation.mechanism).split())
+    shown = " ".join(toggle("", way="-x"))
     assert "along the arrow of P, which is negative at the values given: it only just" in shown
     assert "against the arrow of P, which is negative at the values given and so drives" in shown
 

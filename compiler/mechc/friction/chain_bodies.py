@@ -130,24 +130,28 @@ class Bodies:
 
     def loads_on(self, body: str) -> Iterator[BodyForce]:
         """Yield the loads on a body, each in units of the free load that it is tied to."""
-        for load in self.mechanism.loads:
-            owner, factor = self.task.owners[load.name]
-            for place, link, line in self._acting(load):
-                size = factor.scaled(self._part(load))
-                if line is None and link == body:
-                    yield BodyForce(owner, "", None, ZERO, size)
-                elif line is not None and place in self.points(body):
-                    if not link:
-                        self._refuse_on_rod(place, body)
-                    yield BodyForce(owner, place, line, size)
+        for force, link in self._loads():
+            if force.line is None and link == body:
+                yield force
+            elif force.line is not None and force.point in self.points(body):
+                if not link:
+                    self._refuse_on_rod(force.point, body)
+                yield force
 
     def loads_at(self, pivot: str) -> Iterator[BodyForce]:
         """Yield the loads on the pin of a pivot itself, which the ground alone carries."""
+        return (force for force, _ in self._loads() if force.point == pivot)
+
+    def _loads(self) -> Iterator[tuple[BodyForce, str]]:
+        """Yield the loads as forces, each with the link that it acts on, if that is said."""
         for load in self.mechanism.loads:
             owner, factor = self.task.owners[load.name]
-            for place, _, line in self._acting(load):
-                if place == pivot and line is not None:
-                    yield BodyForce(owner, place, line, factor.scaled(self._part(load)))
+            size = factor.scaled(self._part(load))
+            for place, link, line in self._acting(load):
+                if line is None:
+                    yield BodyForce(owner, "", None, ZERO, size), link
+                else:
+                    yield BodyForce(owner, place, line, size), link
 
     def _acting(self, load: Load) -> Iterator[tuple[str, str, Angle | None]]:
         """Yield where a load acts, on which link if that is said, and along which line."""

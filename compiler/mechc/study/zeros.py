@@ -224,8 +224,7 @@ def _vanishing(trig: Trig, why: Cause, of: RatioSide) -> Vanishing:
     """Return a condition solved for what moves; not for, nor by, what loops find."""
     found = trig.angle.names & of.defined.keys()
     at = None if found else vanishing_values(trig, of.near, of.box, of.moving_first)
-    zero = [*_at_folds(trig, of), *(_zero_across(at, of) if at else ())]
-    zero += () if found else _zero_within(trig, of)
+    zero = [*_at_folds(trig, of), *(() if found else _zero_across(trig, at, of))]
     but = tuple(dict.fromkeys(f.formula() for f in zero))
     outside, absent = of.is_outside(trig), of.is_absent(trig)
     limit = Vanishing(trig.formula(), None, why, outside, but, absent=absent)
@@ -235,35 +234,39 @@ def _vanishing(trig: Trig, why: Cause, of: RatioSide) -> Vanishing:
     return limit._replace(at=(at.name, at.nearest), within=at.within, period=period)
 
 
-def _zero_across(at: Roots, of: RatioSide) -> Iterator[Factor]:
-    """Yield what is zero across the line at a place that is stated, at the values given.
+def _zero_across(trig: Trig, at: Roots | None, of: RatioSide) -> Iterator[Factor]:
+    """Yield what is zero across the line at a place where a sine vanishes, at the values given.
 
     Along another symbol, of which the factor was proved to vanish, it need not be: with a = 60°,
     sin(a + b - 30°)/cos(a - b) vanishes along a where b is 120°, and is finite at b = 150°.
     """
     across = [f for f, e in of.value.factors.items() if e * of.side < 0]
+    for name, place in (*(_stated(at, of) if at else ()), *_within_ranges(trig, of)):
+        there = {**of.near, name: place}
+        yield from (f for f in across if is_zero_at(f, name, there))
+
+
+def _stated(at: Roots, of: RatioSide) -> Iterator[tuple[str, float]]:
+    """Yield the places that are stated, as far as values are given for them."""
     for place in at.within or (at.nearest,):
         if symbols(place) <= of.near.keys():
-            there = {**of.near, at.name: evaluate(place, of.near)}
-            yield from (f for f in across if is_zero_at(f, at.name, there))
+            yield at.name, evaluate(place, of.near)
 
 
-def _zero_within(trig: Trig, of: RatioSide) -> Iterator[Factor]:
-    """Yield what is zero across the line where a sine vanishes along any symbol with a range.
+def _within_ranges(trig: Trig, of: RatioSide) -> Iterator[tuple[str, float]]:
+    """Yield where a sine vanishes along any symbol with a range, whichever it is stated by.
 
-    It is stated for one of them: cos(2a + b) by b = 90° - 2a. Along a, with b = 270°, what is zero
-    at a = 90° may be sin(a - b/3).
+    That of cos(2a + b) is stated as b = 90° - 2a. Along a, with b = 270°, what is zero at a = 90°
+    may be sin(a - b/3).
     """
-    across = [f for f, e in of.value.factors.items() if e * of.side < 0]
-    offset = 0.0 if trig.function == "sin" else math.pi / 2
     if not trig.angle.names <= of.near.keys():
         return
+    offset = 0.0 if trig.function == "sin" else math.pi / 2
     for name, times in trig.angle.terms:
         if reach := of.box.get(name) if name in of.ranged else None:
             nearest = of.near[name] - (trig.angle.evaluate(of.near) - offset) / float(times)
-            for place in _steps_within(nearest, math.pi / abs(float(times)), reach):
-                there = {**of.near, name: place}
-                yield from (f for f in across if is_zero_at(f, name, there))
+            step = math.pi / abs(float(times))
+            yield from ((name, place) for place in _steps_within(nearest, step, reach))
 
 
 def _steps_within(first: float, step: float, reach: NumberInterval) -> Iterator[float]:

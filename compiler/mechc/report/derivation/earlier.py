@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...algebra.from_formula import to_product
+from ...algebra.product import Product as AlgebraicProduct
 from ...base.frozen import replace
 from ...formula.tree import ONE, ZERO, Formula, Symbol, is_call, product
 from ...formula.walk import substitute, symbols
@@ -45,7 +46,7 @@ class EarlierSteps:
         self._sentences: set[tuple[SentenceKind, tuple[tuple[str, Formula], ...]]] = set()
         self._equations: set[tuple[Formula, Formula]] = set()
         self._stated: set[Equation] = set()
-        self._per_unit: dict[str, dict[Formula, Formula]] = {}
+        self._per_unit: dict[str, dict[AlgebraicProduct, Formula]] = {}
         self._threads = {f"{j.point}_screw" for j in joints if isinstance(j, ThreadFriction)}
         self._rims = {f"{j.point}_{j.kind}" for j in joints if isinstance(j, WheelFriction)}
 
@@ -77,7 +78,7 @@ class EarlierSteps:
         if isinstance(asked.of, LoadRatio) and asked.order == "exact":
             own = {driving(asked): Symbol(result)}
             known = self._per_unit.setdefault(asked.of.below, {})
-            known |= {right: own.get(left, left) for left, right in _in_order(steps)}
+            known |= {to_product(f): own.get(left, left) for left, f in _in_order(steps)}
         return steps
 
     def multiplied(self, steps: Sequence[FrictionStep]) -> tuple[Symbol, list[Equation]] | None:
@@ -93,7 +94,7 @@ class EarlierSteps:
             ones: dict[str, Formula] = {load: ONE}
             for left, right in found:
                 of_one = substitute(right, ones)
-                ones[left.name] = _named(of_one, per_unit) or of_one
+                ones[left.name] = per_unit.get(to_product(of_one), of_one)
             wanted = [f for f, _ in found if f.name in met and ones[f.name] != f]
             if wanted and all(ones[f.name] in per_unit.values() for f in wanted):
                 unit = Symbol(load)
@@ -168,14 +169,6 @@ def _forces(steps: Iterable[FrictionStep]) -> Iterator[tuple[Symbol, Formula]]:
         for left, right in step.equations:
             if isinstance(left, Symbol) and left.name not in named and right != ZERO:
                 yield left, right
-
-
-def _named(formula: Formula, names: Mapping[Formula, Formula]) -> Formula | None:
-    """Return the name that a formula has among others, written another way or not."""
-    if formula in names:
-        return names[formula]
-    whole = to_product(formula)
-    return next((name for other, name in names.items() if to_product(other) == whole), None)
 
 
 def _in_order(steps: Iterable[FrictionStep]) -> Iterator[tuple[Symbol, Formula]]:
