@@ -96,13 +96,14 @@ def with_names(mechanism: Mechanism, file: ast.File, named: Collection[NamedNumb
     if not literals and not named:
         return mechanism
     taken, written = _names(mechanism) | {n.symbol.name for n in named}, tuple(_written(file))
+    remarked = [statement for statement in file.statements if statement.remark]
     known: dict[LengthKey, Formula] = {}
     parameters = [_parameter(*one, written) for one in named]
     for literal in literals:
         symbol = Constant(_free(literal.name, taken), literal.formula)
         known[literal.key] = symbol
         quantity = _parameter(symbol, LENGTH, literal.span, written)
-        parameters.append(replace(quantity, label=_label(literal, file)))
+        parameters.append(replace(quantity, label=_label(literal, remarked)))
     return _put(replace(mechanism, literals=tuple(parameters)), LengthNaming(known, measures))
 
 
@@ -285,11 +286,11 @@ def _parameter(
     return Parameter(symbol.name, dimension, place, symbol.value, unit=unit)
 
 
-def _label(length: NamedLength, file: ast.File) -> str:
+def _label(length: NamedLength, remarked: Iterable[ast.Statement]) -> str:
     """Return the comment behind the line that gives a length, '' of one that gives two."""
     if length.kind in COORDINATES:
         return ""
-    lines = (s for s in file.statements if s.span.start <= length.span.start < s.span.end)
+    lines = (s for s in remarked if s.span.start <= length.span.start < s.span.end)
     return next((line.remark for line in lines), "")
 
 
